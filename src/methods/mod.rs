@@ -1,0 +1,13 @@
+//! The anti-aliasing methods, one file or folder each. A new one is its file, its shaders and a line in [`METHODS`].
+
+mod msaa;
+mod none;
+mod spec;
+mod ssaa;
+
+pub use spec::{Spec, Stage};
+
+use crate::pass::Method;
+
+/// Every method there is, in the order they are listed.
+pub const METHODS: &[Method] = &[none::METHOD, ssaa::METHOD, msaa::METHOD];

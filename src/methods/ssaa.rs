@@ -1,0 +1,217 @@
+//! Supersampling by accumulation: the scene is drawn N times, each time moved by a fraction of a pixel, and averaged.
+//!
+//! The offsets fill the support of a reconstruction filter and each draw counts by the filter's weight there, so wide and
+//! negative-lobed filters cost no more than the box; the sum is divided by the sum of weights, which keeps constant areas
+//! constant. Sums are f32 on the GPU at constant memory: two rgba32float targets whatever N is. Many offsets go into one request
+//! to draw, so that a host can add them without storing each ([`crate::pass::Target::Sum`]).
+//!
+//! The samples' two halves are kept apart until the end (views `half-a` and `half-b`): their difference is the picture's own
+//! noise floor. Cost: N draws and one full-screen pass.
+
+use std::sync::Arc;
+
+use crate::error::{Error, Result};
+use crate::pass::{
+    Binding, Context, Draw, Encoding, Inputs, Jitter, Kind, Method, Needs, OptionSpec, Options, Pass, Recorder, ScreenPass, Sum,
+    Target, Technique,
+};
+use crate::sampling::{FILTERS, MAX_POINTS, PATTERNS, filter, pattern, weighted_offsets};
+use crate::shader::{Source, part};
+
+const SHADER: Source = Source {
+    name: "ssaa",
+    parts: &[part!("common/screen.wgsl"), part!("ssaa.wgsl")],
+};
+
+pub(super) const METHOD: Method = Method {
+    name: "ssaa",
+    summary: "N jittered draws, accumulated in f32 under any pattern and filter",
+    source: "Haeberli and Akeley 1990, The Accumulation Buffer",
+    options: &[
+        OptionSpec {
+            name: "spp",
+            help: "samples a pixel",
+            kind: Kind::Integer { min: 1, max: MAX_POINTS },
+            default: "16",
+        },
+        OptionSpec {
+            name: "pattern",
+            help: "where the samples lie",
+            kind: Kind::Choice(|| PATTERNS.iter().map(|p| p.name).collect()),
+            default: "larcher",
+        },
+        OptionSpec {
+            name: "filter",
+            help: "how much each counts",
+            kind: Kind::Choice(|| FILTERS.iter().map(|f| f.name).collect()),
+            default: "box",
+        },
+        OptionSpec {
+            name: "radius",
+            help: "of the filter in pixels; auto is the filter's own",
+            kind: Kind::NumberOrAuto { min: 0.01, max: 16.0 },
+            default: "auto",
+        },
+        OptionSpec {
+            name: "seed",
+            help: "of the patterns that use chance",
+            kind: Kind::Integer { min: 0, max: u32::MAX },
+            default: "0",
+        },
+    ],
+    configure: |options| Ok(Box::new(Ssaa::new(options)?)),
+    shaders: &[SHADER],
+    layouts: &[],
+};
+
+/// Jitters a request: enough to hide what a request costs, few enough to keep a long capture responsive.
+const JITTERS_A_DRAW: usize = 50;
+
+#[derive(Debug)]
+struct Ssaa {
+    jitters: Arc<[Jitter]>,
+}
+
+impl Ssaa {
+    fn new(options: &Options) -> Result<Self> {
+        let filter = filter(options.word("filter"))?;
+        let radius_px = options.number("radius").unwrap_or(filter.default_radius_px);
+        let samples = weighted_offsets(
+            pattern(options.word("pattern"))?,
+            options.integer("spp"),
+            options.integer("seed"),
+            filter,
+            radius_px,
+        );
+        let (sum, size) = samples
+            .iter()
+            .fold((0.0, 0.0), |(sum, size), s| (sum + s.weight, size + s.weight.abs()));
+        // With few samples under negative lobes the weights can cancel, and dividing by their sum would blow up the noise.
+        if sum <= 0.05 * size {
+            return Err(Error::Request(format!(
+                "ssaa: the weights of these {} samples under {} sum to {sum:.3}, too little to divide by; take more samples, a smaller \
+                 radius or another filter",
+                samples.len(),
+                filter.name
+            )));
+        }
+        // Weights of mean 1 keep sums of any count in the middle of f32's range.
+        let scale = samples.len() as f64 / sum;
+        let jitters = samples
+            .iter()
+            .map(|s| Jitter {
+                offset_px: s.offset_px.map(|x| x as f32),
+                weight: (s.weight * scale) as f32,
+            })
+            .collect();
+        Ok(Self { jitters })
+    }
+}
+
+impl Technique for Ssaa {
+    fn needs(&self) -> Needs {
+        Needs {
+            output: Encoding::Linear,
+            wide_output: true,
+            features: wgpu::Features::FLOAT32_BLENDABLE,
+            samples_per_pixel: self.jitters.len() as u32,
+            ..Needs::default()
+        }
+    }
+
+    fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
+        Ok(Box::new(Accumulation {
+            device: context.device.clone(),
+            jitters: Arc::clone(&self.jitters),
+            halves: ["ssaa half-a", "ssaa half-b"].map(|label| accumulator(context, label)),
+            normalize: ScreenPass::new(
+                context.device,
+                "ssaa normalize",
+                &SHADER,
+                "fs_normalize",
+                &[],
+                context.output_format,
+            ),
+        }))
+    }
+}
+
+fn accumulator(context: &Context<'_>, label: &str) -> wgpu::Texture {
+    let [width, height] = context.size;
+    context.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d {
+            width,
+            height,
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba32Float,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
+
+#[derive(Debug)]
+struct Accumulation {
+    device: wgpu::Device,
+    jitters: Arc<[Jitter]>,
+    halves: [wgpu::Texture; 2],
+    normalize: ScreenPass,
+}
+
+impl Accumulation {
+    /// Which half the `k`-th request adds to, and which jitters it draws. No request straddles the halves.
+    fn request(&self, k: u32) -> Option<(usize, bool, &[Jitter])> {
+        let (a, b) = self.jitters.split_at(self.jitters.len().div_ceil(2));
+        let requests_a = a.len().div_ceil(JITTERS_A_DRAW);
+        let (half, jitters, k) = if (k as usize) < requests_a {
+            (0, a, k as usize)
+        } else {
+            (1, b, k as usize - requests_a)
+        };
+        let chunk = jitters.chunks(JITTERS_A_DRAW).nth(k)?;
+        Some((half, k == 0, chunk))
+    }
+
+    fn views(&self) -> [wgpu::TextureView; 2] {
+        [0, 1].map(|half: usize| self.halves[half].create_view(&wgpu::TextureViewDescriptor::default()))
+    }
+}
+
+impl Pass for Accumulation {
+    fn next_draw(&mut self, k: u32) -> Option<Draw> {
+        let (half, clear, jitters) = self.request(k)?;
+        let sum = Sum {
+            view: self.views()[half].clone(),
+            clear,
+        };
+        Some(Draw {
+            jitters: jitters.to_vec(),
+            target: Target::Sum(sum),
+            ..Draw::default()
+        })
+    }
+
+    fn record(&mut self, recorder: &mut Recorder<'_>, k: u32, _: &Inputs<'_>, output: &wgpu::TextureView) {
+        if self.request(k + 1).is_some() {
+            return;
+        }
+        // A single sample leaves the second half as it was made: zero.
+        let bindings = self.views().map(Binding::Texture).to_vec();
+        self.normalize.record(&self.device, recorder, bindings, output);
+    }
+
+    fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
+        ["half-a", "half-b"].into_iter().zip(Self::views(self)).collect()
+    }
+
+    fn target_bytes(&self) -> u64 {
+        self.halves
+            .iter()
+            .map(|t| u64::from(t.width()) * u64::from(t.height()) * 16)
+            .sum()
+    }
+}
