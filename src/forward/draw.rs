@@ -1,0 +1,247 @@
+//! Recording one draw: which render pass, in which order.
+
+use super::Forward;
+use super::pipelines::{Fill, STENCIL_MASK, Step};
+use super::targets::Targets;
+use crate::pass::{Draw, Recorder, Sum, Target};
+
+/// Label of everything the scene itself costs.
+const LABEL: &str = "draw";
+
+pub(super) fn record(
+    forward: &mut Forward,
+    recorder: &mut Recorder<'_>,
+    request: &Draw,
+    targets: &Targets,
+    output: &wgpu::TextureView,
+) {
+    prepare_pipelines(forward, request, targets, output);
+    let depth = targets.depth.create_view(&wgpu::TextureViewDescriptor::default());
+    match &request.target {
+        Target::Sum(sum) => record_sum(forward, recorder, request, sum, &depth),
+        Target::Output => record_color(forward, recorder, request, targets, output, &depth),
+        Target::Input => {
+            if let Some(color) = &targets.color {
+                let view = color.create_view(&wgpu::TextureViewDescriptor::default());
+                record_color(forward, recorder, request, targets, &view, &depth);
+            }
+        }
+    }
+    record_extras(forward, recorder, targets, &depth);
+}
+
+/// The steps of a request's surfaces, in order.
+fn steps(request: &Draw, targets: &Targets, output: &wgpu::TextureView) -> Vec<Step> {
+    let alpha_to_coverage = request.alpha_to_coverage && request.samples > 1;
+    let mut steps = match &request.target {
+        Target::Sum(_) => vec![Step::Depth, Step::Sum],
+        Target::Output => vec![Step::Color {
+            format: output.texture().format(),
+            alpha_to_coverage,
+        }],
+        Target::Input => vec![Step::Color {
+            format: Targets::color_format(),
+            alpha_to_coverage,
+        }],
+    };
+    steps.extend(extras_step(targets));
+    steps
+}
+
+fn extras_step(targets: &Targets) -> Option<Step> {
+    let (motion, ids) = (targets.motion.is_some(), targets.ids.is_some());
+    (motion || ids).then_some(Step::Extras { motion, ids })
+}
+
+fn fills(request: &Draw, color: Option<wgpu::TextureFormat>) -> Vec<Fill> {
+    let mut fills = Vec::new();
+    if request.mask.is_some() {
+        fills.push(Fill::Stencil { color });
+    }
+    if matches!(request.target, Target::Sum(_)) {
+        fills.extend([Fill::Background, Fill::ResetDepth]);
+    }
+    fills
+}
+
+fn color_format(request: &Draw, output: &wgpu::TextureView) -> wgpu::TextureFormat {
+    match &request.target {
+        Target::Sum(_) => wgpu::TextureFormat::Rgba32Float,
+        Target::Output => output.texture().format(),
+        Target::Input => Targets::color_format(),
+    }
+}
+
+/// Makes every pipeline before the first pass: a recorder's clock should not time compilers.
+fn prepare_pipelines(forward: &mut Forward, request: &Draw, targets: &Targets, output: &wgpu::TextureView) {
+    for step in steps(request, targets, output) {
+        // Extras need no stencil: equal depth says where the mask let something through.
+        let masked = request.mask.is_some() && !matches!(step, Step::Extras { .. });
+        for batch in &forward.resources.batches {
+            forward
+                .pipelines
+                .surface(batch.kind, step, targets.samples, targets.depth.format(), masked);
+        }
+    }
+    for fill in fills(request, Some(color_format(request, output))) {
+        forward.pipelines.fill(fill, targets.samples, request.mask.is_some());
+    }
+}
+
+fn depth_attachment<'a>(
+    view: &'a wgpu::TextureView,
+    depth: wgpu::LoadOp<f32>,
+    targets_format: wgpu::TextureFormat,
+) -> wgpu::RenderPassDepthStencilAttachment<'a> {
+    wgpu::RenderPassDepthStencilAttachment {
+        view,
+        depth_ops: Some(wgpu::Operations {
+            load: depth,
+            store: wgpu::StoreOp::Store,
+        }),
+        stencil_ops: targets_format.has_stencil_aspect().then_some(wgpu::Operations {
+            load: wgpu::LoadOp::Clear(0),
+            store: wgpu::StoreOp::Discard,
+        }),
+    }
+}
+
+fn color_attachment(view: &wgpu::TextureView, load: wgpu::LoadOp<wgpu::Color>) -> Option<wgpu::RenderPassColorAttachment<'_>> {
+    Some(wgpu::RenderPassColorAttachment {
+        view,
+        depth_slice: None,
+        resolve_target: None,
+        ops: wgpu::Operations {
+            load,
+            store: wgpu::StoreOp::Store,
+        },
+    })
+}
+
+fn record_color(
+    forward: &mut Forward,
+    recorder: &mut Recorder<'_>,
+    request: &Draw,
+    targets: &Targets,
+    color: &wgpu::TextureView,
+    depth: &wgpu::TextureView,
+) {
+    let background = forward.resources.background();
+    let format = color.texture().format();
+    let descriptor = wgpu::RenderPassDescriptor {
+        label: Some(LABEL),
+        color_attachments: &[color_attachment(color, wgpu::LoadOp::Clear(background))],
+        depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Clear(0.0), targets.depth.format())),
+        ..Default::default()
+    };
+    let alpha_to_coverage = request.alpha_to_coverage && request.samples > 1;
+    recorder.render(&descriptor, |pass| {
+        forward.begin(pass, request, Some(format), targets.samples);
+        forward.surfaces(
+            pass,
+            Step::Color {
+                format,
+                alpha_to_coverage,
+            },
+            0,
+            targets,
+            request.mask.is_some(),
+        );
+    });
+}
+
+fn record_sum(forward: &mut Forward, recorder: &mut Recorder<'_>, request: &Draw, sum: &Sum, depth: &wgpu::TextureView) {
+    let load = if sum.clear {
+        wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)
+    } else {
+        wgpu::LoadOp::Load
+    };
+    let format = depth.texture().format();
+    let descriptor = wgpu::RenderPassDescriptor {
+        label: Some(LABEL),
+        color_attachments: &[color_attachment(&sum.view, load)],
+        depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Clear(0.0), format)),
+        ..Default::default()
+    };
+    let masked = request.mask.is_some();
+    recorder.render(&descriptor, |pass| {
+        forward.begin(pass, request, Some(wgpu::TextureFormat::Rgba32Float), 1);
+        forward.fill(pass, Fill::Background, masked);
+        for jitter in 0..request.jitters.len() as u32 {
+            if jitter > 0 {
+                forward.fill(pass, Fill::ResetDepth, masked);
+            }
+            forward.surfaces_of(pass, Step::Depth, jitter, 1, format, masked);
+            forward.surfaces_of(pass, Step::Sum, jitter, 1, format, masked);
+        }
+    });
+}
+
+fn record_extras(forward: &mut Forward, recorder: &mut Recorder<'_>, targets: &Targets, depth: &wgpu::TextureView) {
+    let Some(step) = extras_step(targets) else {
+        return;
+    };
+    let view = |texture: &Option<wgpu::Texture>| {
+        texture
+            .as_ref()
+            .map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()))
+    };
+    let (motion, ids) = (view(&targets.motion), view(&targets.ids));
+    let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
+    let attachments = [&motion, &ids].map(|v| v.as_ref().and_then(|v| color_attachment(v, clear)));
+    let descriptor = wgpu::RenderPassDescriptor {
+        label: Some("draw extras"),
+        color_attachments: &attachments,
+        depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, targets.depth.format())),
+        ..Default::default()
+    };
+    recorder.render(&descriptor, |pass| {
+        pass.set_bind_group(0, &forward.resources.frame_group, &[]);
+        forward.surfaces(pass, step, 0, targets, false);
+    });
+}
+
+impl Forward {
+    /// Binds the frame; writes the mask into the stencil where there is one.
+    fn begin(&mut self, pass: &mut wgpu::RenderPass<'_>, request: &Draw, color: Option<wgpu::TextureFormat>, samples: u32) {
+        pass.set_bind_group(0, &self.resources.frame_group, &[]);
+        if request.mask.is_some() {
+            pass.set_stencil_reference(STENCIL_MASK);
+            pass.set_pipeline(self.pipelines.fill(Fill::Stencil { color }, samples, true));
+            pass.set_bind_group(1, self.resources.mask_group.as_ref().map(|(_, group)| group), &[]);
+            pass.draw(0..3, 0..1);
+        }
+    }
+
+    fn fill(&mut self, pass: &mut wgpu::RenderPass<'_>, fill: Fill, masked: bool) {
+        pass.set_pipeline(self.pipelines.fill(fill, 1, masked));
+        pass.draw(0..3, 0..1);
+    }
+
+    fn surfaces(&mut self, pass: &mut wgpu::RenderPass<'_>, step: Step, jitter: u32, targets: &Targets, masked: bool) {
+        self.surfaces_of(pass, step, jitter, targets.samples, targets.depth.format(), masked);
+    }
+
+    fn surfaces_of(
+        &mut self,
+        pass: &mut wgpu::RenderPass<'_>,
+        step: Step,
+        jitter: u32,
+        samples: u32,
+        depth: wgpu::TextureFormat,
+        masked: bool,
+    ) {
+        for batch in &self.resources.batches {
+            let mesh = self.resources.mesh(batch.mesh);
+            pass.set_pipeline(self.pipelines.surface(batch.kind, step, samples, depth, masked));
+            pass.set_bind_group(1, self.resources.material_group(batch.material), &[]);
+            pass.set_vertex_buffer(0, mesh.positions.slice(..));
+            if step != Step::Depth || batch.kind.masked {
+                pass.set_vertex_buffer(1, mesh.attributes.slice(..));
+            }
+            pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
+            let first = jitter << 16 | batch.first;
+            pass.draw_indexed(0..mesh.index_count, 0, first..first + batch.count);
+        }
+    }
+}

@@ -1,0 +1,431 @@
+//! Pipelines by kind of surface and kind of draw, made when first drawn with.
+
+use std::collections::HashMap;
+
+use super::SHADER;
+use super::uniforms::pattern_number;
+use crate::scene::{AlphaMode, Material};
+
+/// Set where a mask allows drawing.
+pub(super) const STENCIL_MASK: u32 = 0x80;
+/// Set where the current jitter has been added.
+pub(super) const STENCIL_ADDED: u32 = 0x01;
+
+/// What a surface's shader is compiled for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) struct Kind {
+    pub(super) pattern: u8,
+    pub(super) unlit: bool,
+    pub(super) textured: bool,
+    pub(super) normal_mapped: bool,
+    pub(super) masked: bool,
+    pub(super) double_sided: bool,
+    /// Whether the transform mirrors, which turns front faces clockwise.
+    pub(super) mirrored: bool,
+}
+
+impl Kind {
+    pub(super) fn of(material: &Material, mirrored: bool) -> Self {
+        let textures = [
+            material.base_color_texture,
+            material.metallic_roughness_texture,
+            material.emissive_texture,
+        ];
+        Self {
+            pattern: pattern_number(&material.pattern),
+            unlit: material.unlit,
+            textured: textures.iter().any(Option::is_some),
+            normal_mapped: material.normal_texture.is_some() || matches!(material.pattern, crate::scene::Pattern::Bumps { .. }),
+            masked: matches!(material.alpha, AlphaMode::Mask { .. }),
+            double_sided: material.double_sided,
+            mirrored,
+        }
+    }
+}
+
+/// What a draw does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Step {
+    /// Colour with depth test and write.
+    Color {
+        format: wgpu::TextureFormat,
+        alpha_to_coverage: bool,
+    },
+    /// Depth alone, before a sum.
+    Depth,
+    /// Adds where the depth is equal and nothing was added yet.
+    Sum,
+    /// Motion vectors and ids where the depth is equal.
+    Extras { motion: bool, ids: bool },
+}
+
+/// Full-screen steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Fill {
+    /// Depth to the far plane, the added bit to zero.
+    ResetDepth,
+    /// The background, weighted by the sum of all weights.
+    Background,
+    /// The mask bit where the mask texture is set.
+    Stencil { color: Option<wgpu::TextureFormat> },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Key {
+    Surface {
+        kind: Kind,
+        step: Step,
+        samples: u32,
+        depth: wgpu::TextureFormat,
+        masked_draw: bool,
+    },
+    Fill {
+        fill: Fill,
+        samples: u32,
+        masked_draw: bool,
+    },
+}
+
+/// Layouts, the module, and every pipeline made so far.
+#[derive(Debug)]
+pub(super) struct Pipelines {
+    device: wgpu::Device,
+    module: wgpu::ShaderModule,
+    pub(super) frame_layout: wgpu::BindGroupLayout,
+    pub(super) material_layout: wgpu::BindGroupLayout,
+    pub(super) mask_layout: wgpu::BindGroupLayout,
+    surface_layout: wgpu::PipelineLayout,
+    fill_layout: wgpu::PipelineLayout,
+    stencil_layout: wgpu::PipelineLayout,
+    made: HashMap<Key, wgpu::RenderPipeline>,
+}
+
+fn entry(binding: u32, visibility: wgpu::ShaderStages, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility,
+        ty,
+        count: None,
+    }
+}
+
+fn buffer(ty: wgpu::BufferBindingType) -> wgpu::BindingType {
+    wgpu::BindingType::Buffer {
+        ty,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    }
+}
+
+fn texture(sample_type: wgpu::TextureSampleType) -> wgpu::BindingType {
+    wgpu::BindingType::Texture {
+        sample_type,
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    }
+}
+
+impl Pipelines {
+    pub(super) fn new(device: &wgpu::Device) -> Self {
+        let both = wgpu::ShaderStages::VERTEX_FRAGMENT;
+        let fragment = wgpu::ShaderStages::FRAGMENT;
+        let storage = buffer(wgpu::BufferBindingType::Storage { read_only: true });
+        let layout = |label, entries: &[_]| {
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some(label),
+                entries,
+            })
+        };
+        let frame_layout = layout(
+            "frame",
+            &[
+                entry(0, both, buffer(wgpu::BufferBindingType::Uniform)),
+                entry(1, both, storage),
+                entry(2, both, storage),
+            ],
+        );
+        let mut material = vec![entry(0, fragment, buffer(wgpu::BufferBindingType::Uniform))];
+        for slot in 0..4 {
+            material.push(entry(
+                1 + 2 * slot,
+                fragment,
+                texture(wgpu::TextureSampleType::Float { filterable: true }),
+            ));
+            material.push(entry(
+                2 + 2 * slot,
+                fragment,
+                wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+            ));
+        }
+        let material_layout = layout("material", &material);
+        let mask_layout = layout("mask", &[entry(9, fragment, texture(wgpu::TextureSampleType::Uint))]);
+        let pipeline_layout = |label, groups: &[Option<&wgpu::BindGroupLayout>]| {
+            device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(label),
+                bind_group_layouts: groups,
+                immediate_size: 0,
+            })
+        };
+        Self {
+            module: SHADER.module(device),
+            surface_layout: pipeline_layout("surface", &[Some(&frame_layout), Some(&material_layout)]),
+            fill_layout: pipeline_layout("fill", &[Some(&frame_layout)]),
+            stencil_layout: pipeline_layout("stencil", &[Some(&frame_layout), Some(&mask_layout)]),
+            device: device.clone(),
+            frame_layout,
+            material_layout,
+            mask_layout,
+            made: HashMap::new(),
+        }
+    }
+
+    pub(super) fn surface(
+        &mut self,
+        kind: Kind,
+        step: Step,
+        samples: u32,
+        depth: wgpu::TextureFormat,
+        masked_draw: bool,
+    ) -> &wgpu::RenderPipeline {
+        let key = Key::Surface {
+            kind,
+            step,
+            samples,
+            depth,
+            masked_draw,
+        };
+        if !self.made.contains_key(&key) {
+            let pipeline = self.make_surface(kind, step, samples, depth, masked_draw);
+            self.made.insert(key, pipeline);
+        }
+        &self.made[&key]
+    }
+
+    pub(super) fn fill(&mut self, fill: Fill, samples: u32, masked_draw: bool) -> &wgpu::RenderPipeline {
+        let key = Key::Fill {
+            fill,
+            samples,
+            masked_draw,
+        };
+        if !self.made.contains_key(&key) {
+            let pipeline = self.make_fill(fill, samples, masked_draw);
+            self.made.insert(key, pipeline);
+        }
+        &self.made[&key]
+    }
+
+    fn make_surface(
+        &self,
+        kind: Kind,
+        step: Step,
+        samples: u32,
+        depth: wgpu::TextureFormat,
+        masked_draw: bool,
+    ) -> wgpu::RenderPipeline {
+        let a2c = matches!(
+            step,
+            Step::Color {
+                alpha_to_coverage: true,
+                ..
+            }
+        );
+        let on = |b: bool| f64::from(u8::from(b));
+        let constants = [
+            ("PATTERN", f64::from(kind.pattern)),
+            ("UNLIT", on(kind.unlit)),
+            ("TEXTURED", on(kind.textured)),
+            ("NORMAL_MAPPED", on(kind.normal_mapped)),
+            ("MASKED", on(kind.masked)),
+            ("ALPHA_TO_COVERAGE", on(a2c)),
+        ];
+        let (vertex, fragment, targets) = match step {
+            Step::Color { format, .. } => ("vs_surface", Some("fs_color"), vec![Some(format.into())]),
+            Step::Sum => ("vs_surface", Some("fs_sum"), vec![Some(additive())]),
+            Step::Depth if kind.masked => ("vs_mask", Some("fs_mask"), vec![]),
+            Step::Depth => ("vs_depth", None, vec![]),
+            Step::Extras { motion, ids } => {
+                let motion = motion.then(|| wgpu::TextureFormat::Rg32Float.into());
+                (
+                    "vs_extras",
+                    Some("fs_extras"),
+                    vec![motion, ids.then(|| wgpu::TextureFormat::R32Uint.into())],
+                )
+            }
+        };
+        let targets = if step == Step::Depth {
+            vec![Some(no_color())]
+        } else {
+            targets
+        };
+        let has_fragment = fragment.is_some();
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(vertex),
+            layout: Some(&self.surface_layout),
+            vertex: wgpu::VertexState {
+                module: &self.module,
+                entry_point: Some(vertex),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &vertex_buffers(vertex != "vs_depth"),
+            },
+            primitive: wgpu::PrimitiveState {
+                front_face: if kind.mirrored {
+                    wgpu::FrontFace::Cw
+                } else {
+                    wgpu::FrontFace::Ccw
+                },
+                cull_mode: (!kind.double_sided).then_some(wgpu::Face::Back),
+                ..Default::default()
+            },
+            depth_stencil: Some(surface_depth_stencil(step, depth, masked_draw)),
+            multisample: wgpu::MultisampleState {
+                count: samples,
+                alpha_to_coverage_enabled: a2c && kind.masked,
+                ..Default::default()
+            },
+            fragment: Some(wgpu::FragmentState {
+                module: &self.module,
+                // A depth-only draw of an opaque surface still names an empty shader: the pass has a colour target to agree with.
+                entry_point: Some(fragment.unwrap_or("fs_nothing")),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: if has_fragment { &constants } else { &[] },
+                    ..Default::default()
+                },
+                targets: &targets,
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+
+    fn make_fill(&self, fill: Fill, samples: u32, masked_draw: bool) -> wgpu::RenderPipeline {
+        let (layout, fragment, target) = match fill {
+            Fill::ResetDepth => (&self.fill_layout, "fs_nothing", Some(no_color())),
+            Fill::Background => (&self.fill_layout, "fs_background", Some(additive())),
+            Fill::Stencil { color } => (&self.stencil_layout, "fs_stencil", color.map(no_color_of)),
+        };
+        let keep = wgpu::CompareFunction::Always;
+        let reset = fill == Fill::ResetDepth;
+        let stencil = match fill {
+            Fill::ResetDepth => stencil(keep, wgpu::StencilOperation::Zero, 0, STENCIL_ADDED),
+            Fill::Background if masked_draw => {
+                stencil(wgpu::CompareFunction::Equal, wgpu::StencilOperation::Keep, STENCIL_MASK, 0)
+            }
+            Fill::Background => stencil(keep, wgpu::StencilOperation::Keep, 0, 0),
+            Fill::Stencil { .. } => stencil(keep, wgpu::StencilOperation::Replace, 0, STENCIL_MASK),
+        };
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(fragment),
+            layout: Some(layout),
+            vertex: wgpu::VertexState {
+                module: &self.module,
+                entry_point: Some("vs_screen"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: wgpu::TextureFormat::Depth32FloatStencil8,
+                depth_write_enabled: Some(reset),
+                depth_compare: Some(keep),
+                stencil,
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: wgpu::MultisampleState {
+                count: samples,
+                ..Default::default()
+            },
+            fragment: Some(wgpu::FragmentState {
+                module: &self.module,
+                entry_point: Some(fragment),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[target],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+}
+
+fn additive() -> wgpu::ColorTargetState {
+    let add = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::One,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
+    };
+    wgpu::ColorTargetState {
+        format: wgpu::TextureFormat::Rgba32Float,
+        blend: Some(wgpu::BlendState { color: add, alpha: add }),
+        write_mask: wgpu::ColorWrites::ALL,
+    }
+}
+
+fn no_color() -> wgpu::ColorTargetState {
+    no_color_of(wgpu::TextureFormat::Rgba32Float)
+}
+
+fn no_color_of(format: wgpu::TextureFormat) -> wgpu::ColorTargetState {
+    wgpu::ColorTargetState {
+        format,
+        blend: None,
+        write_mask: wgpu::ColorWrites::empty(),
+    }
+}
+
+fn stencil(
+    compare: wgpu::CompareFunction,
+    pass_op: wgpu::StencilOperation,
+    read_mask: u32,
+    write_mask: u32,
+) -> wgpu::StencilState {
+    let face = wgpu::StencilFaceState {
+        compare,
+        pass_op,
+        ..wgpu::StencilFaceState::IGNORE
+    };
+    wgpu::StencilState {
+        front: face,
+        back: face,
+        read_mask,
+        write_mask,
+    }
+}
+
+fn surface_depth_stencil(step: Step, format: wgpu::TextureFormat, masked_draw: bool) -> wgpu::DepthStencilState {
+    let writes_depth = matches!(step, Step::Color { .. } | Step::Depth);
+    let equal = wgpu::CompareFunction::Equal;
+    let mask = if masked_draw { STENCIL_MASK } else { 0 };
+    let stencil = match step {
+        // Equal to the reference (the mask bit alone): allowed by the mask and not added to yet. Passing sets the added bit.
+        Step::Sum => stencil(equal, wgpu::StencilOperation::Invert, mask | STENCIL_ADDED, STENCIL_ADDED),
+        _ if masked_draw => stencil(equal, wgpu::StencilOperation::Keep, mask, 0),
+        _ => wgpu::StencilState::default(),
+    };
+    wgpu::DepthStencilState {
+        format,
+        depth_write_enabled: Some(writes_depth),
+        // Reversed depth: nearer is greater. Strictly, so that of two surfaces at one depth the first drawn stays.
+        depth_compare: Some(if writes_depth { wgpu::CompareFunction::Greater } else { equal }),
+        stencil,
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
+const POSITION: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Float32x3];
+const ATTRIBUTES: [wgpu::VertexAttribute; 4] =
+    wgpu::vertex_attr_array![1 => Float32x3, 2 => Float32x4, 3 => Float32x2, 4 => Float32x4];
+
+/// Positions lie apart from the rest: a depth-only draw reads nothing else.
+fn vertex_buffers(all: bool) -> Vec<Option<wgpu::VertexBufferLayout<'static>>> {
+    let layout = |array_stride, attributes| {
+        Some(wgpu::VertexBufferLayout {
+            array_stride,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes,
+        })
+    };
+    let mut buffers = vec![layout(12, &POSITION[..])];
+    if all {
+        buffers.push(layout(52, &ATTRIBUTES[..]));
+    }
+    buffers
+}

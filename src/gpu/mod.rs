@@ -1,0 +1,11 @@
+//! The workbench's own device: which adapter, what it can do, textures in and out, and every error as an error.
+
+mod adapter;
+mod device;
+mod readback;
+mod texture;
+mod upload;
+
+pub use adapter::{AdapterChoice, Card, adapters};
+pub use device::Gpu;
+pub use texture::{TextureSpec, bytes_of};
