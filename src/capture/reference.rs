@@ -1,0 +1,184 @@
+//! The reference: a shot of very many samples, with its own error, kept for the next time.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::cache::{Cache, CacheEntry};
+use super::present::Present;
+use super::shot::{Studio, Watch};
+use crate::error::Result;
+use crate::methods::Spec;
+use crate::picture::{DisplayPicture, LinearPicture};
+use crate::scene::{Frame, Scene};
+use crate::{forward, gpu::Card};
+
+/// What candidates are held against unless asked otherwise: see `docs/reference.md` for why this pattern.
+pub const REFERENCE_SPEC: &str = "ssaa:spp=2500,pattern=larcher";
+
+/// A picture to hold candidates against.
+#[derive(Debug, Clone)]
+pub struct Reference {
+    /// The method it was made with.
+    pub spec: String,
+    /// Linear light, not exposed.
+    pub linear: LinearPicture,
+    /// As the display shows it.
+    pub display: DisplayPicture,
+    /// How much two halves of its samples differ; none for methods that have no halves.
+    pub halves: Option<Halves>,
+    /// Whether it came from the cache.
+    pub cached: bool,
+}
+
+/// Difference of the pictures made of each half of the samples, over all channels, in exposed linear values clamped to [0, 1].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Halves {
+    /// Root mean square.
+    pub rms: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+impl Studio<'_> {
+    /// The reference of a frame: from the cache, or drawn and put there.
+    ///
+    /// # Errors
+    /// As [`Studio::take`]; a cache that cannot be written is an error too, once the reference is drawn.
+    pub fn reference(
+        &mut self,
+        spec: &Spec,
+        frame: u32,
+        size: [u32; 2],
+        cache: &Cache,
+        watch: &mut dyn Watch,
+    ) -> Result<Reference> {
+        self.gpu.check_size(size)?;
+        let key = reference_key(self.scene, &self.scene.frame(frame, size)?, spec, size, &self.gpu.card);
+        if let Some((linear, entry)) = cache.get(&key).filter(|(_, entry)| entry.size == size) {
+            let display = self.display_of(&linear)?;
+            return Ok(Reference {
+                spec: spec.to_string(),
+                linear,
+                display,
+                halves: entry.halves,
+                cached: true,
+            });
+        }
+        let mut shot = self.shot(spec, frame, size)?;
+        self.take(&mut shot, None, watch)?;
+        let capture = self.read(&shot)?;
+        let linear = capture.linear.unwrap_or_else(|| capture.display.to_linear());
+        let halves = self.halves(&shot.views())?;
+        let entry = CacheEntry {
+            size,
+            scene: self.scene.name.clone(),
+            spec: spec.to_string(),
+            halves,
+        };
+        cache.put(&key, &linear, &entry)?;
+        // Shown from what the cache will hand out next time, not from the GPU's own copy: the same bits either way.
+        let display = self.display_of(&linear)?;
+        Ok(Reference {
+            spec: spec.to_string(),
+            linear,
+            display,
+            halves,
+            cached: false,
+        })
+    }
+
+    /// A linear picture of this scene as the display shows it.
+    ///
+    /// # Errors
+    /// [`crate::Error::Gpu`].
+    pub fn display_of(&self, linear: &LinearPicture) -> Result<DisplayPicture> {
+        Present::display_of(self.gpu, self.scene, &self.gpu.upload_linear(linear))
+    }
+
+    fn halves(&self, views: &[(&'static str, wgpu::TextureView)]) -> Result<Option<Halves>> {
+        let find = |name| views.iter().find(|(known, _)| *known == name);
+        let (Some((_, a)), Some((_, b))) = (find("half-a"), find("half-b")) else {
+            return Ok(None);
+        };
+        let (a, b) = (self.gpu.read_linear(a.texture())?, self.gpu.read_linear(b.texture())?);
+        Ok(difference(&a, &b, self.scene.exposure))
+    }
+}
+
+/// Of two sums that carry their weight in alpha. None where one of them is empty.
+fn difference(a: &LinearPicture, b: &LinearPicture, exposure: f32) -> Option<Halves> {
+    let shown = |x: f32, weight: f32| f64::from((x / weight * exposure).clamp(0.0, 1.0));
+    let (mut sum, mut max) = (0.0, 0.0f64);
+    for (p, q) in a.pixels().iter().zip(b.pixels()) {
+        if p[3] <= 0.0 || q[3] <= 0.0 {
+            return None;
+        }
+        for channel in 0..3 {
+            let d = (shown(p[channel], p[3]) - shown(q[channel], q[3])).abs();
+            sum += d * d;
+            max = max.max(d);
+        }
+    }
+    Some(Halves {
+        rms: (sum / (a.pixels().len() * 3) as f64).sqrt(),
+        max,
+    })
+}
+
+/// A hash of everything that shapes a reference: what is drawn, with what, how, how large, and on what.
+#[must_use]
+pub fn reference_key(scene: &Scene, frame: &Frame, spec: &Spec, size: [u32; 2], card: &Card) -> String {
+    let mut hasher = blake3::Hasher::new();
+    // Debug output holds every field, and a technique's holds its sample positions and weights.
+    let words = format!(
+        "{} {size:?} {card:?} {:?} {:?} {:?} {:?} {:?} {:?}",
+        env!("CARGO_PKG_VERSION"),
+        spec.stages,
+        scene.light,
+        (scene.background, scene.ambient, scene.exposure),
+        scene.materials,
+        (frame.view, frame.previous_view),
+        frame
+            .instances
+            .iter()
+            .map(|i| (i.material, i.world_from_object, i.id))
+            .collect::<Vec<_>>(),
+    );
+    hasher
+        .update(words.as_bytes())
+        .update(&scene.fingerprint)
+        .update(forward::SHADER.text().as_bytes());
+    for shader in spec.stages.iter().flat_map(|stage| stage.method.shaders) {
+        hasher.update(shader.text().as_bytes());
+    }
+    let mut meshes = HashSet::new();
+    for instance in &frame.instances {
+        if meshes.insert(Arc::as_ptr(&instance.mesh)) {
+            for vertex in &instance.mesh.vertices {
+                hasher.update(bytemuck::bytes_of(&vertex.position.to_array()));
+                hasher.update(bytemuck::bytes_of(&vertex.normal.to_array()));
+                hasher.update(bytemuck::bytes_of(&vertex.uv.to_array()));
+                hasher.update(bytemuck::bytes_of(&vertex.color.to_array()));
+            }
+            hasher.update(bytemuck::cast_slice(&instance.mesh.indices));
+        }
+    }
+    hasher.finalize().to_hex().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halves_differ_by_their_means() {
+        let sum =
+            |value: f32, weight: f32| LinearPicture::new(1, 1, vec![[value * weight, 0.0, 2.0 * weight, weight]]).expect("fits");
+        let found = difference(&sum(0.5, 10.0), &sum(0.25, 4.0), 1.0).expect("both have samples");
+        assert!((found.max - 0.25).abs() < 1e-7);
+        assert!((found.rms - 0.25 / 3.0f64.sqrt()).abs() < 1e-7);
+        assert!(difference(&sum(0.5, 10.0), &sum(0.5, 0.0), 1.0).is_none());
+    }
+}
