@@ -1,0 +1,47 @@
+//! Writing results: checked before the work, whole or not at all.
+
+use std::io::Write as _;
+use std::path::Path;
+
+use crate::capture::View;
+use crate::error::{Error, Result};
+use crate::picture::{BitDepth, FileFormat};
+
+/// Fails early if a file of this name cannot be written: before minutes of drawing, not after.
+pub(super) fn check_file(path: &Path) -> Result<FileFormat> {
+    let format = FileFormat::of_path(path)?;
+    check_folder_of(path)?;
+    Ok(format)
+}
+
+/// The folder that will hold `path` must exist and take a file.
+pub(super) fn check_folder_of(path: &Path) -> Result<()> {
+    if path.is_dir() {
+        return Err(Error::Request(format!("{} is a folder; name a file in it", path.display())));
+    }
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    tempfile::tempfile_in(folder)
+        .map(drop)
+        .map_err(Error::io("write into", folder))
+}
+
+/// Writes a view: its numbers into an EXR file, its colours into a PNG.
+pub(super) fn save(view: &View, path: &Path, format: FileFormat, depth: BitDepth, metadata: &[(&str, &str)]) -> Result<()> {
+    match format {
+        FileFormat::Png => view.display.save_png(path, depth, metadata),
+        FileFormat::Exr => view.data.save_exr(path, metadata),
+    }
+}
+
+/// One line of data, or many, on stdout.
+pub(super) fn print(text: &str) -> std::io::Result<()> {
+    let mut out = std::io::stdout().lock();
+    out.write_all(text.as_bytes())?;
+    if !text.ends_with('\n') {
+        out.write_all(b"\n")?;
+    }
+    out.flush()
+}
