@@ -1,0 +1,90 @@
+//! Structural similarity.
+//!
+//! Z. Wang, A. C. Bovik, H. R. Sheikh, E. P. Simoncelli: Image Quality Assessment: From Error Visibility to Structural
+//! Similarity, IEEE Transactions on Image Processing 13(4), 2004. As there: a circular Gaussian window of 11x11 with a standard
+//! deviation of 1.5 pixels, K1 = 0.01, K2 = 0.03, dynamic range 1, population variances and covariance. The index is taken
+//! for each colour channel where the window lies wholly inside, that is without a border of 5 pixels, and averaged.
+
+use super::{Figure, Pair};
+use crate::picture::DisplayPicture;
+use rayon::prelude::*;
+
+/// Side of the window in pixels.
+pub(super) const WINDOW: usize = 11;
+
+const SIGMA: f64 = 1.5;
+const C1: f64 = 0.01 * 0.01;
+const C2: f64 = 0.03 * 0.03;
+
+/// The weighted means under a window: candidate, reference, their squares, and their product.
+type Moments = [f64; 5];
+
+/// Mean SSIM over red, green and blue; does not apply to pictures that are smaller than the window.
+pub(super) fn ssim(pair: &Pair<'_>) -> Figure {
+    let sides = pair.display();
+    if pair.size().into_iter().any(|side| (side as usize) < WINDOW) {
+        return Figure::NotApplicable;
+    }
+    let plane = |picture: &DisplayPicture, channel: usize| -> Vec<f64> {
+        picture.pixels().iter().map(|pixel| f64::from(pixel[channel])).collect()
+    };
+    let width = sides.reference.width() as usize;
+    let index = |channel| plane_mean(width, &plane(sides.candidate, channel), &plane(sides.reference, channel));
+    Figure::from((0..3).map(index).sum::<f64>() / 3.0)
+}
+
+/// One dimension of the separable window, its weights summing to 1.
+fn gaussian_window() -> [f64; WINDOW] {
+    let centre = (WINDOW / 2) as f64;
+    let weights: [f64; WINDOW] = std::array::from_fn(|i| (-0.5 * ((i as f64 - centre) / SIGMA).powi(2)).exp());
+    let sum: f64 = weights.iter().sum();
+    weights.map(|weight| weight / sum)
+}
+
+/// Mean index of two planes of one size, at least as large as the window, whose rows are `width` values.
+pub(super) fn plane_mean(width: usize, candidate: &[f64], reference: &[f64]) -> f64 {
+    let window = gaussian_window();
+    let rows: Vec<Vec<Moments>> = candidate
+        .par_chunks_exact(width)
+        .zip(reference.par_chunks_exact(width))
+        .map(|(candidate, reference)| filter_row(candidate, reference, &window))
+        .collect();
+    // One sum a row, added in order: the same bits for any number of threads.
+    let sums: Vec<f64> = rows.par_windows(WINDOW).map(|rows| index_sum(rows, &window)).collect();
+    sums.iter().sum::<f64>() / (sums.len() * rows[0].len()) as f64
+}
+
+/// The moments of a row, weighted along it, for each place where the window fits.
+fn filter_row(candidate: &[f64], reference: &[f64], window: &[f64; WINDOW]) -> Vec<Moments> {
+    let products: Vec<Moments> = candidate
+        .iter()
+        .zip(reference)
+        .map(|(&t, &r)| [t, r, t * t, r * r, t * r])
+        .collect();
+    products.windows(WINDOW).map(|under| weighted(under.iter(), window)).collect()
+}
+
+/// The sum of the index along one row of windows, given the filtered rows that the windows span.
+fn index_sum(rows: &[Vec<Moments>], window: &[f64; WINDOW]) -> f64 {
+    (0..rows[0].len())
+        .map(|x| index(weighted(rows.iter().map(|row| &row[x]), window)))
+        .sum()
+}
+
+fn weighted<'m>(moments: impl Iterator<Item = &'m Moments>, window: &[f64; WINDOW]) -> Moments {
+    let mut sum = [0.0; 5];
+    for (moments, weight) in moments.zip(window) {
+        for (sum, moment) in sum.iter_mut().zip(moments) {
+            *sum += weight * moment;
+        }
+    }
+    sum
+}
+
+/// The index of one window.
+fn index([t, r, tt, rr, tr]: Moments) -> f64 {
+    let (variance_t, variance_r, covariance) = (tt - t * t, rr - r * r, tr - t * r);
+    let luminance = (2.0 * t * r + C1) / (t * t + r * r + C1);
+    let contrast_and_structure = (2.0 * covariance + C2) / (variance_t + variance_r + C2);
+    luminance * contrast_and_structure
+}
