@@ -1,0 +1,29 @@
+//! Results shown: a table for the terminal, JSON for programs, a folder with a page for people.
+
+mod axis;
+mod folder;
+mod html;
+mod labels;
+mod page;
+mod placement;
+mod plot;
+mod points;
+#[cfg(test)]
+mod sample;
+mod scene_part;
+mod terminal;
+#[cfg(test)]
+mod tests;
+mod words;
+
+pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
+pub use terminal::{TABLE_WIDTH, table};
+
+use crate::suite::Results;
+
+/// The results as JSON, indented, its keys always in the same order, with a line feed at the end.
+#[must_use]
+pub fn json(results: &Results) -> String {
+    let text = serde_json::to_string_pretty(results).expect("results have string keys and cannot fail to serialise");
+    text + "\n"
+}

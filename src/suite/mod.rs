@@ -1,0 +1,8 @@
+//! What a run of the bench says, as data: no GPU, no layout. `bench` fills it, `report` shows it.
+
+mod results;
+
+pub use results::{
+    AnalyticDistance, MethodResult, NoiseFloor, NonFinite, Outcome, PassTiming, ReferenceResult, ReferenceTiming, Results,
+    SCHEMA_VERSION, SceneResult, Score, Spread, Stamp, Timing, Value,
+};
