@@ -1,6 +1,8 @@
 //! dejag
 
 #[cfg(feature = "workbench")]
+pub mod bench;
+#[cfg(feature = "workbench")]
 pub mod capture;
 #[cfg(feature = "workbench")]
 pub mod cli;

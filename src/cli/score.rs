@@ -1,11 +1,222 @@
-//! `dejag score`.
-use clap::Args;
+//! `dejag score`: methods on scenes, speed against error.
+
+use std::io::IsTerminal as _;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-/// Score methods on scenes against a reference
+
+use anyhow::Context as _;
+use clap::Args;
+
+use super::watch::{Bar, check_interrupt};
+use super::{Drawing, capture::load, output, parse_size};
+use crate::bench::{DEMO_METHODS, DEMO_SCENES, Progress, REPEATS, ReferenceChoice, Request, SceneOutcome, score_scene};
+use crate::capture::{Cache, REFERENCE_SPEC};
+use crate::error::Error;
+use crate::gpu::Gpu;
+use crate::methods::Spec;
+use crate::picture::write_bytes_atomically;
+use crate::report::{self, HtmlReport, MethodPictures};
+use crate::scene::{SHIPPED, Scene};
+use crate::suite::{Outcome, Results, SCHEMA_VERSION, Stamp};
+
+/// Capture scenes with methods, time them, and score them against a reference
 #[derive(Debug, Args)]
-pub(super) struct Score {}
+#[command(after_help = "\
+Examples:
+  dejag score
+  dejag score edges checker -m none -m ssaa:spp=16 -m ssaa:spp=16,pattern=rotated
+  dejag score wires --reference analytic -m msaa -m msaa:resolve=gaussian
+  dejag score all --size 320x180 --report report --json results.json
+
+A star marks the methods that no other beats in both time and error (mean FLIP). References are kept in the
+cache (`dejag cache`), so an interrupted run goes on where it was.")]
+pub(super) struct Score {
+    /// Shipped scenes, scene files or models; `all` for every shipped scene [default: the demo set]
+    scenes: Vec<String>,
+    /// A method with its options; give it again for more [default: the demo set]
+    #[arg(short, long = "method", value_name = "METHOD")]
+    methods: Vec<String>,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = parse_size)]
+    size: [u32; 2],
+    /// Which frame, from 0
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    frame: u32,
+    /// A method, or `analytic` for scenes that have an exact answer
+    #[arg(long, value_name = "METHOD", default_value = REFERENCE_SPEC)]
+    reference: String,
+    /// How often each method is timed
+    #[arg(long, value_name = "N", default_value_t = REPEATS, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    repeats: u32,
+    /// Write the results as JSON; - for stdout, instead of the table
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write a report with pictures and plots into this folder
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+    /// Draw every reference anew and keep none
+    #[arg(long)]
+    no_cache: bool,
+    #[command(flatten)]
+    drawing: Drawing,
+}
+
 impl Score {
     pub(super) fn run(&self) -> anyhow::Result<ExitCode> {
+        let request = self.request()?;
+        let json = self.json.as_deref().filter(|path| *path != Path::new("-"));
+        if let Some(json) = json {
+            output::check_folder_of(json)?;
+        }
+        let scenes: Vec<Scene> = self
+            .names()
+            .iter()
+            .map(|name| load(name, self.drawing.quiet))
+            .collect::<Result<_, _>>()?;
+        let mut report = self.report.as_deref().map(HtmlReport::begin).transpose()?;
+        let gpu = self.drawing.open()?;
+        let results = self.score(&gpu, &scenes, &request, report.as_mut())?;
+
+        if let Some(report) = report {
+            report.finish(&results)?;
+        }
+        if let Some(path) = json {
+            write_bytes_atomically(path, report::json(&results).as_bytes())?;
+        }
+        self.show(&results)?;
+        if compared(&results) == 0 {
+            eprintln!("error: nothing was compared: no method runs on {}", gpu.card.name);
+            return Ok(ExitCode::from(4));
+        }
         Ok(ExitCode::SUCCESS)
+    }
+
+    fn names(&self) -> Vec<String> {
+        let shipped = || SHIPPED.iter().map(|s| s.name.to_owned());
+        match &self.scenes[..] {
+            [] => DEMO_SCENES.iter().map(|s| (*s).to_owned()).collect(),
+            names => names
+                .iter()
+                .flat_map(|n| if n == "all" { shipped().collect() } else { vec![n.clone()] })
+                .collect(),
+        }
+    }
+
+    fn request(&self) -> Result<Request, Error> {
+        let methods: Vec<&str> = if self.methods.is_empty() {
+            DEMO_METHODS.to_vec()
+        } else {
+            self.methods.iter().map(String::as_str).collect()
+        };
+        for (i, method) in methods.iter().enumerate() {
+            if methods[..i].contains(method) {
+                return Err(Error::Request(format!("method {method} is given twice; give it once")));
+            }
+        }
+        Ok(Request {
+            methods: methods.into_iter().map(Spec::parse).collect::<Result<_, _>>()?,
+            size: self.size,
+            frame: self.frame,
+            reference: match self.reference.as_str() {
+                "analytic" => ReferenceChoice::Analytic,
+                spec => ReferenceChoice::Method(Spec::parse(spec)?),
+            },
+            repeats: self.repeats,
+        })
+    }
+
+    fn score(
+        &self,
+        gpu: &Gpu,
+        scenes: &[Scene],
+        request: &Request,
+        mut report: Option<&mut HtmlReport>,
+    ) -> anyhow::Result<Results> {
+        let cache = if self.no_cache { Cache::none() } else { Cache::of_user() };
+        if let (true, Some(folder)) = (self.drawing.verbose, cache.folder()) {
+            eprintln!("cache: {}", folder.display());
+        }
+        let mut bar = Bar::new(request.work() * scenes.len() as u64, self.drawing.quiet);
+        let mut results = Results {
+            schema_version: SCHEMA_VERSION,
+            stamp: Stamp::from(&gpu.card),
+            command: self.command(request),
+            size: request.size,
+            scenes: Vec::new(),
+        };
+        for scene in scenes {
+            let outcome = score_scene(gpu, scene, request, &cache, &mut bar)?;
+            check_interrupt()?;
+            if let Some(report) = &mut report {
+                add_pictures(report, &outcome)?;
+            }
+            results.scenes.push(outcome.result);
+        }
+        bar.finish();
+        Ok(results)
+    }
+
+    /// The command line that makes this run again, defaults written out.
+    fn command(&self, request: &Request) -> Vec<String> {
+        let [width, height] = self.size;
+        let mut words = vec!["score".to_owned()];
+        words.extend(self.names());
+        words.extend(request.methods.iter().flat_map(|m| ["-m".to_owned(), m.to_string()]));
+        words.extend([
+            "--size".into(),
+            format!("{width}x{height}"),
+            "--frame".into(),
+            self.frame.to_string(),
+        ]);
+        words.extend([
+            "--reference".into(),
+            self.reference.clone(),
+            "--adapter".into(),
+            self.drawing.adapter.to_string(),
+        ]);
+        words
+    }
+
+    fn show(&self, results: &Results) -> anyhow::Result<()> {
+        if self.json.as_deref() == Some(Path::new("-")) {
+            output::print(&report::json(results))?;
+        } else {
+            let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+            output::print(&report::table(results, std::io::stdout().is_terminal() && !no_color))?;
+        }
+        if let (Some(folder), false) = (&self.report, self.drawing.quiet) {
+            let page = std::path::absolute(folder.join("index.html")).context("finding the report")?;
+            eprintln!("report: {}", page.display());
+        }
+        Ok(())
+    }
+}
+
+fn compared(results: &Results) -> usize {
+    let methods = results.scenes.iter().flat_map(|scene| &scene.methods);
+    methods.filter(|m| matches!(m.outcome, Outcome::Scored { .. })).count()
+}
+
+fn add_pictures(report: &mut HtmlReport, outcome: &SceneOutcome) -> Result<(), Error> {
+    report.add_scene(&outcome.result.name, &outcome.reference)?;
+    for (method, pictures) in outcome.result.methods.iter().zip(&outcome.pictures) {
+        if let Some(pictures) = pictures {
+            let files = MethodPictures {
+                capture: &pictures.capture,
+                error_map: Some(&pictures.error_map),
+            };
+            report.add_method(&method.spec, files)?;
+        }
+    }
+    Ok(())
+}
+
+impl Progress for Bar {
+    fn say(&mut self, what: String) {
+        Self::say(self, what);
+    }
+
+    fn advance(&mut self, samples: u64) {
+        Self::advance(self, samples);
     }
 }

@@ -47,6 +47,28 @@ impl Gpu {
         Ok(bytes)
     }
 
+    /// All bytes of a buffer that can be copied from.
+    ///
+    /// # Errors
+    /// [`Error::Gpu`].
+    pub fn read_buffer(&self, source: &wgpu::Buffer) -> Result<Vec<u8>> {
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("readback"),
+            size: source.size(),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = self.encoder();
+        encoder.copy_buffer_to_buffer(source, 0, &buffer, 0, source.size());
+        self.submit(encoder)?;
+        self.map(&buffer)?;
+        let view = buffer.get_mapped_range(..).map_err(|e| Error::Gpu {
+            kind: "mapping",
+            message: e.to_string(),
+        })?;
+        Ok(view.to_vec())
+    }
+
     fn copy_rows(
         &self,
         texture: &wgpu::Texture,

@@ -9,6 +9,7 @@ mod sequences;
 
 pub use filters::{FILTERS, Filter, filter};
 pub use patterns::{MAX_POINTS, PATTERNS, Pattern, pattern};
+use sequences::hilbert_index;
 pub use sequences::{hash, larcher_pillichshammer, owen_scrambled, radical_inverse};
 
 /// A sample of a pixel: where, and how much it counts.
@@ -22,11 +23,13 @@ pub struct WeightedOffset {
 
 /// `n` samples spread by `pattern` over the support of `filter` stretched to `radius_px`, weighted by the filter.
 ///
-/// The even-numbered points come first and the odd-numbered ones after them, so that the first half of the list samples the
-/// pixel as evenly as the whole.
+/// They come in two halves (the first the larger if n is odd) that each cover the support evenly: neighbours along a Hilbert
+/// curve go to different halves. Taking every other point in the pattern's own order would not do: a radical inverse puts its
+/// even-numbered points into one half of the pixel.
 #[must_use]
 pub fn weighted_offsets(pattern: &Pattern, n: u32, seed: u32, filter: &Filter, radius_px: f64) -> Vec<WeightedOffset> {
-    let points = (pattern.points)(n, seed);
+    let mut points = (pattern.points)(n, seed);
+    points.sort_by_key(|p| hilbert_index(*p));
     let halves = points.iter().step_by(2).chain(points.iter().skip(1).step_by(2));
     halves
         .map(|p| {
@@ -45,15 +48,24 @@ mod tests {
 
     #[test]
     fn both_halves_cover_the_pixel() {
-        let lattice = pattern("r2").expect("a shipped pattern");
-        let samples = weighted_offsets(lattice, 1000, 0, filter("box").expect("a shipped filter"), 0.5);
-        for half in samples.chunks(500) {
-            let mean: f64 = half.iter().map(|s| s.offset_px[0]).sum::<f64>() / 500.0;
-            assert!(mean.abs() < 0.01, "{mean}");
+        let unit = filter("box").expect("a shipped filter");
+        for pattern in PATTERNS {
+            let samples = weighted_offsets(pattern, 1000, 0, unit, 0.5);
             assert!(
-                half.iter()
+                samples
+                    .iter()
                     .all(|s| s.weight == 1.0 && s.offset_px.iter().all(|o| o.abs() <= 0.5))
             );
+            for half in samples.chunks(500) {
+                // Every quarter of the pixel has its quarter of the half.
+                for quarter in [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]] {
+                    let count = half
+                        .iter()
+                        .filter(|s| (0..2).all(|k| s.offset_px[k] * quarter[k] > 0.0))
+                        .count();
+                    assert!((count as f64 - 125.0).abs() < 30.0, "{}: {count}", pattern.name);
+                }
+            }
         }
     }
 }

@@ -55,6 +55,26 @@ pub(super) fn fraction(bits: u32) -> f64 {
     (f64::from(bits) + 0.5) / 4_294_967_296.0
 }
 
+/// How far along the Hilbert curve (1891) of 2^16 cells a side a point of the unit square lies.
+pub(super) fn hilbert_index(point: [f64; 2]) -> u32 {
+    const ORDER: u32 = 16;
+    let last = f64::from((1u32 << ORDER) - 1);
+    let [mut x, mut y] = point.map(|u| (u * f64::from(1u32 << ORDER)).clamp(0.0, last) as u32);
+    let mut index = 0;
+    for level in (0..ORDER).rev() {
+        let (right, lower) = (x >> level & 1, y >> level & 1);
+        index = index << 2 | ((3 * right) ^ lower);
+        // Turn the quarter so that the curve enters and leaves it at the right corners.
+        if lower == 0 {
+            if right == 1 {
+                (x, y) = (!x, !y);
+            }
+            (x, y) = (y, x);
+        }
+    }
+    index
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -85,6 +105,20 @@ mod tests {
             assert!(seen.iter().all(|s| *s));
         }
         assert_ne!(owen_scrambled(0, 1), owen_scrambled(0, 2));
+    }
+
+    #[test]
+    fn the_hilbert_curve_visits_neighbours() {
+        let mut cells: Vec<(u32, [i32; 2])> = (0..16)
+            .flat_map(|x| (0..16).map(move |y| [x, y]))
+            .map(|c| (hilbert_index(c.map(|i| (f64::from(i) + 0.5) / 16.0)) >> 24, c))
+            .collect();
+        cells.sort_unstable();
+        for (pair, i) in cells.windows(2).zip(0..) {
+            assert_eq!((pair[0].0, pair[1].0), (i, i + 1));
+            let step: i32 = (0..2).map(|k| (pair[0].1[k] - pair[1].1[k]).abs()).sum();
+            assert_eq!(step, 1, "{pair:?}");
+        }
     }
 
     #[test]

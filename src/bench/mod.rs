@@ -1,0 +1,7 @@
+//! Speed against error: methods on scenes, timed a pass at a time and scored against a reference.
+
+mod clock;
+mod score;
+
+pub use clock::{Clock, PassTime};
+pub use score::{DEMO_METHODS, DEMO_SCENES, Pictures, Progress, REPEATS, ReferenceChoice, Request, SceneOutcome, score_scene};
