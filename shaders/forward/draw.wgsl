@@ -115,18 +115,14 @@ fn shaded(in: SurfaceVertex, base: vec4<f32>, front: bool) -> vec3<f32> {
 // Linear colour, and the opacity as coverage (1 unless alpha to coverage is on).
 fn surface_color(in: SurfaceVertex, front: bool) -> vec4<f32> {
     let base = base_color(in.color, in.uv);
-    let color = min(shaded(in, base, front), vec3<f32>(LARGEST_HALF));
-    if !MASKED {
-        return vec4<f32>(color, 1.0);
-    }
-    if ALPHA_TO_COVERAGE {
-        // Coverage crosses one half where the opacity crosses the cut-off, over the width of a pixel (Golus 2017).
-        return vec4<f32>(color, clamp((base.a - material.alpha_cutoff) / max(fwidth(base.a), 1e-4) + 0.5, 0.0, 1.0));
-    }
-    if base.a < material.alpha_cutoff {
+    var coverage = 1.0;
+    if MASKED && ALPHA_TO_COVERAGE {
+        // Crosses one half where the opacity crosses the cut-off, over the width of a pixel (Golus 2017).
+        coverage = clamp((base.a - material.alpha_cutoff) / max(fwidth(base.a), 1e-4) + 0.5, 0.0, 1.0);
+    } else if MASKED && base.a < material.alpha_cutoff {
         discard;
     }
-    return vec4<f32>(color, 1.0);
+    return vec4<f32>(min(shaded(in, base, front), vec3<f32>(LARGEST_HALF)), coverage);
 }
 
 @fragment
@@ -188,12 +184,12 @@ fn fs_extras(in: ExtrasVertex) -> Extras {
     return Extras(0.5 * frame.size_px * vec2<f32>(ndc.x, -ndc.y), in.id);
 }
 
-// Writes the stencil where the mask is set.
+// Writes the stencil where the mask is zero.
 @group(1) @binding(9) var mask: texture_2d<u32>;
 
 @fragment
 fn fs_stencil(@builtin(position) position: vec4<f32>) {
-    if textureLoad(mask, vec2<i32>(position.xy), 0).x == 0u {
+    if textureLoad(mask, vec2<i32>(position.xy), 0).x != 0u {
         discard;
     }
 }

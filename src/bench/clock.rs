@@ -50,17 +50,9 @@ impl<'a> Clock<'a> {
                 ty: wgpu::QueryType::Timestamp,
                 count: 2 * MOST_PASSES,
             });
-            Kind::Stamps {
-                queries,
-                labels: Vec::new(),
-            }
+            Kind::Stamps { queries, labels: Vec::new() }
         };
-        Self {
-            gpu,
-            kind,
-            passes: Vec::new(),
-            failure: None,
-        }
+        Self { gpu, kind, passes: Vec::new(), failure: None }
     }
 
     /// What kind of clock it is, in words.
@@ -118,10 +110,7 @@ impl Timer for Clock<'_> {
                 let start = Instant::now();
                 self.gpu.queue.submit([recorded]);
                 let outcome = self.gpu.wait();
-                self.passes.push(PassTime {
-                    label: label.to_owned(),
-                    ms: 1e3 * start.elapsed().as_secs_f64(),
-                });
+                self.passes.push(PassTime { label: label.to_owned(), ms: 1e3 * start.elapsed().as_secs_f64() });
                 self.keep(outcome);
             }
             Kind::Stamps { queries, labels } => {
@@ -151,14 +140,6 @@ fn read_stamps(gpu: &Gpu, queries: &wgpu::QuerySet, labels: Vec<String>) -> Resu
     let bytes = gpu.read_buffer(&buffer)?;
     let ticks: Vec<u64> = bytes.as_chunks::<8>().0.iter().map(|b| u64::from_ne_bytes(*b)).collect();
     let ms_per_tick = f64::from(gpu.queue.get_timestamp_period()) * 1e-6;
-    let times = ticks
-        .as_chunks::<2>()
-        .0
-        .iter()
-        .map(|[start, end]| end.saturating_sub(*start) as f64 * ms_per_tick);
-    Ok(labels
-        .into_iter()
-        .zip(times)
-        .map(|(label, ms)| PassTime { label, ms })
-        .collect())
+    let times = ticks.as_chunks::<2>().0.iter().map(|[start, end]| end.saturating_sub(*start) as f64 * ms_per_tick);
+    Ok(labels.into_iter().zip(times).map(|(label, ms)| PassTime { label, ms }).collect())
 }

@@ -154,25 +154,12 @@ pub fn score_scene(
     let mut pictures = Vec::new();
     for (candidate, spec) in candidates.into_iter().zip(&request.methods) {
         let (outcome, seen) = candidate.outcome(gpu);
-        methods.push(MethodResult {
-            spec: spec.to_string(),
-            outcome,
-        });
+        methods.push(MethodResult { spec: spec.to_string(), outcome });
         pictures.push(seen);
     }
     mark_unbeaten(&mut methods);
-    let result = SceneResult {
-        name: scene.name.clone(),
-        about: scene.about.clone(),
-        frame: request.frame,
-        reference,
-        methods,
-    };
-    Ok(SceneOutcome {
-        result,
-        reference: target.display,
-        pictures,
-    })
+    let result = SceneResult { name: scene.name.clone(), about: scene.about.clone(), frame: request.frame, reference, methods };
+    Ok(SceneOutcome { result, reference: target.display, pictures })
 }
 
 /// What candidates are compared with.
@@ -200,16 +187,7 @@ fn make_reference(
         ReferenceChoice::Analytic => {
             let linear = analytic::exact(scene, request.frame, request.size)?;
             let display = studio.display_of(&linear)?;
-            (
-                Reference {
-                    spec: "analytic".into(),
-                    linear,
-                    display,
-                    halves: None,
-                    cached: false,
-                },
-                None,
-            )
+            (Reference { spec: "analytic".into(), linear, display, halves: None, cached: false }, None)
         }
     };
     let linear = exposed(&reference.linear, scene.exposure)?;
@@ -218,27 +196,14 @@ fn make_reference(
         spec: reference.spec,
         noise_floor: reference.halves.map(|h| NoiseFloor { rms: h.rms, max: h.max }),
         analytic: exact.map(|exact| analytic_distance(&linear, &exact)),
-        timing: ReferenceTiming {
-            seconds: start.elapsed().as_secs_f64(),
-            cached: reference.cached,
-        },
+        timing: ReferenceTiming { seconds: start.elapsed().as_secs_f64(), cached: reference.cached },
     };
-    Ok((
-        Truth {
-            linear,
-            display: reference.display.quantized(BitDepth::Eight),
-        },
-        result,
-    ))
+    Ok((Truth { linear, display: reference.display.quantized(BitDepth::Eight) }, result))
 }
 
 fn exposed(linear: &LinearPicture, exposure: f32) -> Result<LinearPicture> {
     let scale = |[r, g, b, a]: [f32; 4]| [r * exposure, g * exposure, b * exposure, a];
-    LinearPicture::new(
-        linear.width(),
-        linear.height(),
-        linear.pixels().iter().map(|p| scale(*p)).collect(),
-    )
+    LinearPicture::new(linear.width(), linear.height(), linear.pixels().iter().map(|p| scale(*p)).collect())
 }
 
 fn analytic_distance(reference: &LinearPicture, exact: &LinearPicture) -> AnalyticDistance {
@@ -250,10 +215,7 @@ fn analytic_distance(reference: &LinearPicture, exact: &LinearPicture) -> Analyt
             max = max.max(difference.abs());
         }
     }
-    AnalyticDistance {
-        rms: (sum / (3 * reference.pixels().len()) as f64).sqrt(),
-        max,
-    }
+    AnalyticDistance { rms: (sum / (3 * reference.pixels().len()) as f64).sqrt(), max }
 }
 
 enum Candidate {
@@ -310,26 +272,11 @@ fn held_against(capture: &Capture, truth: &Truth, exposure: f32) -> Result<(Vec<
         Some(linear) => Pair::new(&display, &truth.display)?.with_linear(linear, &truth.linear)?,
         None => Pair::new(&display, &truth.display)?,
     };
-    let scores = METRICS
-        .iter()
-        .map(|metric| Score {
-            metric: metric.id.to_owned(),
-            value: value(metric.evaluate(&pair)),
-        })
-        .collect();
-    let non_finite = linear.as_ref().and_then(LinearPicture::non_finite).map(|n| NonFinite {
-        pixels: n.pixels,
-        first: n.first,
-    });
+    let scores =
+        METRICS.iter().map(|metric| Score { metric: metric.id.to_owned(), value: value(metric.evaluate(&pair)) }).collect();
+    let non_finite = linear.as_ref().and_then(LinearPicture::non_finite).map(|n| NonFinite { pixels: n.pixels, first: n.first });
     let error_map = metrics::error_map(&pair)?;
-    Ok((
-        scores,
-        non_finite,
-        Pictures {
-            capture: display,
-            error_map,
-        },
-    ))
+    Ok((scores, non_finite, Pictures { capture: display, error_map }))
 }
 
 fn value(figure: Figure) -> Value {
@@ -380,14 +327,8 @@ fn timing(runs: &[Vec<PassTime>], clock: &str) -> Timing {
     let of = |run: &[PassTime], label: &str| run.iter().filter(|p| p.label == label).map(|p| p.ms).sum::<f64>();
     let spread = |label: &str| Spread::of(runs.iter().map(|run| of(run, label)).collect());
     let passes = labels.iter().filter(|label| !label.starts_with(DRAW)).map(|label| {
-        let count = runs
-            .first()
-            .map_or(0, |run| run.iter().filter(|p| p.label == **label).count());
-        PassTiming {
-            pass: (*label).to_owned(),
-            runs: count as u32,
-            ms: spread(label),
-        }
+        let count = runs.first().map_or(0, |run| run.iter().filter(|p| p.label == **label).count());
+        PassTiming { pass: (*label).to_owned(), runs: count as u32, ms: spread(label) }
     });
     let drawn = |run: &Vec<PassTime>| run.iter().filter(|p| p.label.starts_with(DRAW)).map(|p| p.ms).sum::<f64>();
     Timing {
@@ -406,10 +347,7 @@ fn mark_unbeaten(methods: &mut [MethodResult]) {
         let (Outcome::Scored { timing, .. }, Some((ms, error))) = (&mut method.outcome, own) else {
             continue;
         };
-        timing.unbeaten = !figures
-            .iter()
-            .flatten()
-            .any(|(other_ms, other)| other_ms < ms && other < error);
+        timing.unbeaten = !figures.iter().flatten().any(|(other_ms, other)| other_ms < ms && other < error);
     }
 }
 
@@ -451,20 +389,15 @@ mod tests {
             outcome: Outcome::Scored {
                 samples_per_pixel: 1.0,
                 target_bytes: 0,
-                scores: vec![Score {
-                    metric: flip.into(),
-                    value: Value::Number(error),
-                }],
+                scores: vec![Score { metric: flip.into(), value: Value::Number(error) }],
                 non_finite: None,
                 timing: timing(&[vec![pass("draw", ms)]], "wall clock"),
             },
         };
         let mut methods = [method(1.0, 0.5), method(2.0, 0.1), method(3.0, 0.2), method(3.0, 0.05)];
         mark_unbeaten(&mut methods);
-        let stars: Vec<bool> = methods
-            .iter()
-            .map(|m| matches!(&m.outcome, Outcome::Scored { timing, .. } if timing.unbeaten))
-            .collect();
+        let stars: Vec<bool> =
+            methods.iter().map(|m| matches!(&m.outcome, Outcome::Scored { timing, .. } if timing.unbeaten)).collect();
         assert_eq!(stars, [true, true, false, true]);
     }
 }

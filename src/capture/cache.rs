@@ -45,31 +45,20 @@ impl Cache {
     /// In `$DEJAG_CACHE_DIR`, or else the user's cache folder; without either, nothing is kept.
     #[must_use]
     pub fn of_user() -> Self {
-        let own = std::env::var_os("DEJAG_CACHE_DIR")
-            .filter(|dir| !dir.is_empty())
-            .map(PathBuf::from);
-        Self {
-            folder: own.or_else(|| Some(dirs::cache_dir()?.join("dejag"))),
-            cap_bytes: DEFAULT_CAP_BYTES,
-        }
+        let own = std::env::var_os("DEJAG_CACHE_DIR").filter(|dir| !dir.is_empty()).map(PathBuf::from);
+        Self { folder: own.or_else(|| Some(dirs::cache_dir()?.join("dejag"))), cap_bytes: DEFAULT_CAP_BYTES }
     }
 
     /// In this folder, at most so many bytes.
     #[must_use]
     pub fn in_folder(folder: PathBuf, cap_bytes: u64) -> Self {
-        Self {
-            folder: Some(folder),
-            cap_bytes,
-        }
+        Self { folder: Some(folder), cap_bytes }
     }
 
     /// Keeps nothing, finds nothing.
     #[must_use]
     pub fn none() -> Self {
-        Self {
-            folder: None,
-            cap_bytes: 0,
-        }
+        Self { folder: None, cap_bytes: 0 }
     }
 
     /// Where entries are kept.
@@ -89,10 +78,7 @@ impl Cache {
             return None;
         };
         // A read is a use: the oldest uses are evicted first. Without the right to touch it, it ages as written.
-        let _ = fs::File::options()
-            .append(true)
-            .open(&path)
-            .and_then(|file| file.set_modified(SystemTime::now()));
+        let _ = fs::File::options().append(true).open(&path).and_then(|file| file.set_modified(SystemTime::now()));
         Some(found)
     }
 
@@ -200,12 +186,8 @@ mod tests {
 
     fn sample(value: f32) -> (LinearPicture, CacheEntry) {
         let picture = LinearPicture::from_fn(3, 2, |x, y| [value + x as f32, y as f32 / 3.0, 1e-7, 1.0]).expect("fits");
-        let entry = CacheEntry {
-            size: [3, 2],
-            scene: "s".into(),
-            spec: "ssaa".into(),
-            halves: Some(Halves { rms: 0.25, max: 0.5 }),
-        };
+        let entry =
+            CacheEntry { size: [3, 2], scene: "s".into(), spec: "ssaa".into(), halves: Some(Halves { rms: 0.25, max: 0.5 }) };
         (picture, entry)
     }
 
@@ -251,9 +233,7 @@ mod tests {
         }
         assert_eq!(cache.usage(), (2, 2 * one));
         assert!(cache.get("d").is_some());
-        Cache::in_folder(folder.path().into(), 0)
-            .put("e", &picture, &entry)
-            .expect("writes");
+        Cache::in_folder(folder.path().into(), 0).put("e", &picture, &entry).expect("writes");
         assert_eq!(cache.usage().0, 1);
     }
 }

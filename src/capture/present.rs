@@ -13,20 +13,6 @@ use crate::shader::{
     part,
 };
 
-/// The tone map's module.
-pub(crate) const SHADER: Source = Source {
-    name: "present",
-    parts: &[
-        part!("common/screen.wgsl"),
-        part!("common/color.wgsl"),
-        part!("common/tone_map.wgsl"),
-        part!("present.wgsl"),
-    ],
-};
-
-/// What the module shares with Rust.
-pub(crate) const LAYOUTS: &[Layout] = &[PresentUniforms::LAYOUT];
-
 gpu_struct! {
     /// How a scene wants to be shown.
     struct PresentUniforms {
@@ -44,6 +30,15 @@ pub struct Present {
 }
 
 impl Present {
+    /// The tone map's module.
+    pub const SHADER: Source = Source {
+        name: "present",
+        parts: &[part!("common/screen.wgsl"), part!("common/color.wgsl"), part!("common/tone_map.wgsl"), part!("present.wgsl")],
+    };
+
+    /// What the module shares with Rust.
+    pub const LAYOUTS: &[Layout] = &[PresentUniforms::LAYOUT];
+
     /// To targets of this format.
     #[must_use]
     pub fn new(gpu: &Gpu, scene: &Scene, target: wgpu::TextureFormat) -> Self {
@@ -55,16 +50,13 @@ impl Present {
         };
         let uniforms = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("present"),
-            contents: bytemuck::bytes_of(&PresentUniforms {
-                exposure: scene.exposure,
-                tone_map,
-            }),
+            contents: bytemuck::bytes_of(&PresentUniforms { exposure: scene.exposure, tone_map }),
             usage: wgpu::BufferUsages::UNIFORM,
         });
         Self {
             device: gpu.device.clone(),
             uniforms,
-            pass: ScreenPass::new(&gpu.device, "present", &SHADER, "fs_present", &[], target),
+            pass: ScreenPass::new(&gpu.device, "present", &Self::SHADER, "fs_present", &[], target),
         }
     }
 

@@ -58,35 +58,18 @@ impl Studio<'_> {
         let key = reference_key(self.scene, &self.scene.frame(frame, size)?, spec, size, &self.gpu.card);
         if let Some((linear, entry)) = cache.get(&key).filter(|(_, entry)| entry.size == size) {
             let display = self.display_of(&linear)?;
-            return Ok(Reference {
-                spec: spec.to_string(),
-                linear,
-                display,
-                halves: entry.halves,
-                cached: true,
-            });
+            return Ok(Reference { spec: spec.to_string(), linear, display, halves: entry.halves, cached: true });
         }
         let mut shot = self.shot(spec, frame, size)?;
         self.take(&mut shot, None, watch)?;
         let capture = self.read(&shot)?;
         let linear = capture.linear.unwrap_or_else(|| capture.display.to_linear());
         let halves = self.halves(&shot.views())?;
-        let entry = CacheEntry {
-            size,
-            scene: self.scene.name.clone(),
-            spec: spec.to_string(),
-            halves,
-        };
+        let entry = CacheEntry { size, scene: self.scene.name.clone(), spec: spec.to_string(), halves };
         cache.put(&key, &linear, &entry)?;
         // Shown from what the cache will hand out next time, not from the GPU's own copy: the same bits either way.
         let display = self.display_of(&linear)?;
-        Ok(Reference {
-            spec: spec.to_string(),
-            linear,
-            display,
-            halves,
-            cached: false,
-        })
+        Ok(Reference { spec: spec.to_string(), linear, display, halves, cached: false })
     }
 
     /// A linear picture of this scene as the display shows it.
@@ -121,10 +104,7 @@ fn difference(a: &LinearPicture, b: &LinearPicture, exposure: f32) -> Option<Hal
             max = max.max(d);
         }
     }
-    Some(Halves {
-        rms: (sum / (a.pixels().len() * 3) as f64).sqrt(),
-        max,
-    })
+    Some(Halves { rms: (sum / (a.pixels().len() * 3) as f64).sqrt(), max })
 }
 
 /// A hash of everything that shapes a reference: what is drawn, with what, how, how large, and on what.
@@ -140,16 +120,9 @@ pub fn reference_key(scene: &Scene, frame: &Frame, spec: &Spec, size: [u32; 2], 
         (scene.background, scene.ambient, scene.exposure),
         scene.materials,
         (frame.view, frame.previous_view),
-        frame
-            .instances
-            .iter()
-            .map(|i| (i.material, i.world_from_object, i.id))
-            .collect::<Vec<_>>(),
+        frame.instances.iter().map(|i| (i.material, i.world_from_object, i.id)).collect::<Vec<_>>(),
     );
-    hasher
-        .update(words.as_bytes())
-        .update(&scene.fingerprint)
-        .update(forward::SHADER.text().as_bytes());
+    hasher.update(words.as_bytes()).update(&scene.fingerprint).update(forward::SHADER.text().as_bytes());
     for shader in spec.stages.iter().flat_map(|stage| stage.method.shaders) {
         hasher.update(shader.text().as_bytes());
     }

@@ -86,13 +86,7 @@ impl<'a> Studio<'a> {
         for (name, technique) in techniques {
             stages.push(Stage::new(self.gpu, self.scene, name, *technique, size)?);
         }
-        let shot = Shot {
-            frame,
-            size,
-            extras,
-            stages,
-            targets: Vec::new(),
-        };
+        let shot = Shot { frame, size, extras, stages, targets: Vec::new() };
         self.gpu.check()?;
         Ok(shot)
     }
@@ -108,11 +102,7 @@ impl<'a> Studio<'a> {
         let mut done = 0;
         for k in 0.. {
             let draws = shot.stages[0].role == Role::Draws;
-            let request = if draws {
-                shot.stages[0].pass.next_draw(k)
-            } else {
-                (k == 0).then(Draw::default)
-            };
+            let request = if draws { shot.stages[0].pass.next_draw(k) } else { (k == 0).then(Draw::default) };
             let Some(request) = request else { break };
             watch.tick(done, total)?;
             done += request.jitters.len() as u32 * request.samples;
@@ -138,13 +128,8 @@ impl<'a> Studio<'a> {
         let color = view_of(targets.color.as_ref().unwrap_or(&targets.depth));
         let extras = [&targets.motion, &targets.ids].map(|t| t.as_ref().map(view_of));
         let depth = view_of(&targets.depth);
-        let inputs = Inputs {
-            color: &color,
-            depth: Some(&depth),
-            motion: extras[0].as_ref(),
-            ids: extras[1].as_ref(),
-            frame: facts,
-        };
+        let inputs =
+            Inputs { color: &color, depth: Some(&depth), motion: extras[0].as_ref(), ids: extras[1].as_ref(), frame: facts };
         stage.record(&mut recorder, k, &inputs);
         self.gpu.submit(encoder)?;
         // Bounds what is in flight, and how long a Ctrl-C waits.
@@ -156,13 +141,7 @@ impl<'a> Studio<'a> {
         let (before, after) = shot.stages.split_at_mut(index);
         let input = view_of(&before[index - 1].output);
         let mut encoder = self.gpu.encoder();
-        let inputs = Inputs {
-            color: &input,
-            depth: None,
-            motion: None,
-            ids: None,
-            frame: facts,
-        };
+        let inputs = Inputs { color: &input, depth: None, motion: None, ids: None, frame: facts };
         after[0].record(&mut recorder(&mut encoder, timer), 0, &inputs);
         self.gpu.submit(encoder)
     }
@@ -174,21 +153,15 @@ impl<'a> Studio<'a> {
     pub fn read(&self, shot: &Shot) -> Result<Capture> {
         let last = &shot.stages[shot.stages.len() - 1];
         let (linear, display) = match last.encoding {
-            Encoding::Linear => (
-                Some(self.gpu.read_linear(&last.output)?),
-                Present::display_of(self.gpu, self.scene, &last.output)?,
-            ),
+            Encoding::Linear => {
+                (Some(self.gpu.read_linear(&last.output)?), Present::display_of(self.gpu, self.scene, &last.output)?)
+            }
             Encoding::Display => {
                 let coded = self.gpu.read_linear(&last.output)?;
                 (None, DisplayPicture::new(coded.width(), coded.height(), coded.into_pixels())?)
             }
         };
-        Ok(Capture {
-            linear,
-            display,
-            samples_per_pixel: f64::from(shot.samples_per_pixel()),
-            target_bytes: shot.target_bytes(),
-        })
+        Ok(Capture { linear, display, samples_per_pixel: f64::from(shot.samples_per_pixel()), target_bytes: shot.target_bytes() })
     }
 
     /// Prepares, takes and reads in one go.
@@ -248,14 +221,7 @@ impl Stage {
     fn new(gpu: &Gpu, scene: &Scene, name: &str, technique: &dyn Technique, size: [u32; 2]) -> Result<Self> {
         let needs = technique.needs();
         needs.check(name, gpu.device.features(), &gpu.sample_counts())?;
-        let target = |label, format| {
-            gpu.target(TextureSpec {
-                label,
-                size,
-                format,
-                samples: 1,
-            })
-        };
+        let target = |label, format| gpu.target(TextureSpec { label, size, format, samples: 1 });
         let output = target(
             "output",
             match (needs.output, needs.wide_output) {
@@ -269,13 +235,7 @@ impl Stage {
             (Present::new(gpu, scene, shown.format()), shown)
         });
         let input_format = present.as_ref().map_or(Targets::color_format(), |(_, shown)| shown.format());
-        let context = Context {
-            device: &gpu.device,
-            queue: &gpu.queue,
-            size,
-            input_format,
-            output_format: output.format(),
-        };
+        let context = Context { device: &gpu.device, queue: &gpu.queue, size, input_format, output_format: output.format() };
         Ok(Self {
             pass: technique.build(&context)?,
             role: needs.role,
@@ -294,15 +254,7 @@ impl Stage {
             Some((present, shown)) => {
                 let shown = view_of(shown);
                 present.record(recorder, inputs.color, &shown);
-                self.pass.record(
-                    recorder,
-                    k,
-                    &Inputs {
-                        color: &shown,
-                        ..*inputs
-                    },
-                    &output,
-                );
+                self.pass.record(recorder, k, &Inputs { color: &shown, ..*inputs }, &output);
             }
         }
     }
@@ -310,11 +262,7 @@ impl Stage {
 
 impl Shot {
     fn facts(&self, scene: &Scene) -> FrameFacts {
-        FrameFacts {
-            index: self.frame,
-            reset: true,
-            exposure: scene.exposure,
-        }
+        FrameFacts { index: self.frame, reset: true, exposure: scene.exposure }
     }
 
     fn samples_per_pixel(&self) -> u32 {
@@ -335,11 +283,8 @@ impl Shot {
         let needs = self.stages[0].extras;
         // A sum's depth is that of its last jitter: extras beside it would not be the picture's.
         let asked = if sum { Extras::default() } else { self.extras };
-        let extras = Extras {
-            depth: needs.depth || asked.depth,
-            motion: needs.motion || asked.motion,
-            ids: needs.ids || asked.ids,
-        };
+        let extras =
+            Extras { depth: needs.depth || asked.depth, motion: needs.motion || asked.motion, ids: needs.ids || asked.ids };
         self.targets.push((key, Forward::targets(gpu, self.size, request, extras)?));
         gpu.check()?;
         Ok(self.targets.len() - 1)
@@ -360,7 +305,8 @@ impl Shot {
     }
 
     /// The methods' intermediates by name; in a combination, the last stage's first.
-    pub(super) fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
+    #[must_use]
+    pub fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
         self.stages.iter().rev().flat_map(|stage| stage.pass.views()).collect()
     }
 }

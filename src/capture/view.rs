@@ -59,10 +59,7 @@ impl Studio<'_> {
                     Some(linear) => linear,
                     None => capture.display.to_linear(),
                 };
-                Ok(View {
-                    data,
-                    display: capture.display,
-                })
+                Ok(View { data, display: capture.display })
             }
             ViewKind::Intermediate(name) => self.intermediate(name, spec, frame, size, watch),
             ViewKind::Depth | ViewKind::Motion | ViewKind::Ids => self.geometry(kind, frame, size),
@@ -71,11 +68,7 @@ impl Studio<'_> {
 
     fn geometry(&mut self, kind: &ViewKind, frame: u32, size: [u32; 2]) -> Result<View> {
         let plain = Spec::parse("none")?;
-        let extras = Extras {
-            depth: true,
-            motion: *kind == ViewKind::Motion,
-            ids: *kind == ViewKind::Ids,
-        };
+        let extras = Extras { depth: true, motion: *kind == ViewKind::Motion, ids: *kind == ViewKind::Ids };
         let mut shot = self.shot_of(&[("none", &*plain.stages[0].technique)], frame, size, extras)?;
         self.take(&mut shot, None, &mut ())?;
         let texture = shot.drawn(|targets| match kind {
@@ -98,14 +91,8 @@ impl Studio<'_> {
         let mut shot = self.shot(spec, frame, size)?;
         let views = shot.views();
         let Some((_, view)) = views.iter().find(|(known, _)| *known == name) else {
-            let names: Vec<_> = ["color", "depth", "motion", "ids"]
-                .into_iter()
-                .chain(views.iter().map(|(n, _)| *n))
-                .collect();
-            return Err(Error::Request(format!(
-                "{spec} has no view '{name}'; it has {}",
-                names.join(", ")
-            )));
+            let names: Vec<_> = ["color", "depth", "motion", "ids"].into_iter().chain(views.iter().map(|(n, _)| *n)).collect();
+            return Err(Error::Request(format!("{spec} has no view '{name}'; it has {}", names.join(", "))));
         };
         self.take(&mut shot, None, watch)?;
         let texture = view.texture();
@@ -119,11 +106,7 @@ impl Studio<'_> {
 fn normalized(data: LinearPicture) -> Result<LinearPicture> {
     let [width, height] = data.size();
     let mean = |[r, g, b, a]: [f32; 4]| {
-        if a > 0.0 && a != 1.0 {
-            [r / a, g / a, b / a, 1.0]
-        } else {
-            [r, g, b, a]
-        }
+        if a > 0.0 && a != 1.0 { [r / a, g / a, b / a, 1.0] } else { [r, g, b, a] }
     };
     LinearPicture::new(width, height, data.into_pixels().into_iter().map(mean).collect())
 }

@@ -1,7 +1,7 @@
 //! Recording one draw: which render pass, in which order.
 
 use super::Forward;
-use super::pipelines::{Fill, STENCIL_MASK, Step};
+use super::pipelines::{Fill, MOST_JITTERS, STENCIL_FORBIDDEN, Step};
 use super::targets::Targets;
 use crate::pass::{Draw, Recorder, Sum, Target};
 
@@ -35,14 +35,8 @@ fn steps(request: &Draw, targets: &Targets, output: &wgpu::TextureView) -> Vec<S
     let alpha_to_coverage = request.alpha_to_coverage && request.samples > 1;
     let mut steps = match &request.target {
         Target::Sum(_) => vec![Step::Depth, Step::Sum],
-        Target::Output => vec![Step::Color {
-            format: output.texture().format(),
-            alpha_to_coverage,
-        }],
-        Target::Input => vec![Step::Color {
-            format: Targets::color_format(),
-            alpha_to_coverage,
-        }],
+        Target::Output => vec![Step::Color { format: output.texture().format(), alpha_to_coverage }],
+        Target::Input => vec![Step::Color { format: Targets::color_format(), alpha_to_coverage }],
     };
     steps.extend(extras_step(targets));
     steps
@@ -59,7 +53,7 @@ fn fills(request: &Draw, color: Option<wgpu::TextureFormat>) -> Vec<Fill> {
         fills.push(Fill::Stencil { color });
     }
     if matches!(request.target, Target::Sum(_)) {
-        fills.extend([Fill::Background, Fill::ResetDepth]);
+        fills.push(Fill::Background);
     }
     fills
 }
@@ -78,9 +72,7 @@ fn prepare_pipelines(forward: &mut Forward, request: &Draw, targets: &Targets, o
         // Extras need no stencil: equal depth says where the mask let something through.
         let masked = request.mask.is_some() && !matches!(step, Step::Extras { .. });
         for batch in &forward.resources.batches {
-            forward
-                .pipelines
-                .surface(batch.kind, step, targets.samples, targets.depth.format(), masked);
+            forward.pipelines.surface(batch.kind, step, targets.samples, targets.depth.format(), masked);
         }
     }
     for fill in fills(request, Some(color_format(request, output))) {
@@ -95,14 +87,10 @@ fn depth_attachment<'a>(
 ) -> wgpu::RenderPassDepthStencilAttachment<'a> {
     wgpu::RenderPassDepthStencilAttachment {
         view,
-        depth_ops: Some(wgpu::Operations {
-            load: depth,
-            store: wgpu::StoreOp::Store,
-        }),
-        stencil_ops: targets_format.has_stencil_aspect().then_some(wgpu::Operations {
-            load: wgpu::LoadOp::Clear(0),
-            store: wgpu::StoreOp::Discard,
-        }),
+        depth_ops: Some(wgpu::Operations { load: depth, store: wgpu::StoreOp::Store }),
+        stencil_ops: targets_format
+            .has_stencil_aspect()
+            .then_some(wgpu::Operations { load: wgpu::LoadOp::Clear(0), store: wgpu::StoreOp::Discard }),
     }
 }
 
@@ -111,10 +99,7 @@ fn color_attachment(view: &wgpu::TextureView, load: wgpu::LoadOp<wgpu::Color>) -
         view,
         depth_slice: None,
         resolve_target: None,
-        ops: wgpu::Operations {
-            load,
-            store: wgpu::StoreOp::Store,
-        },
+        ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
     })
 }
 
@@ -137,55 +122,54 @@ fn record_color(
     let alpha_to_coverage = request.alpha_to_coverage && request.samples > 1;
     recorder.render(&descriptor, |pass| {
         forward.begin(pass, request, Some(format), targets.samples);
-        forward.surfaces(
-            pass,
-            Step::Color {
-                format,
-                alpha_to_coverage,
-            },
-            0,
-            targets,
-            request.mask.is_some(),
-        );
+        let step = Step::Color { format, alpha_to_coverage };
+        forward.surfaces(pass, step, 0, targets.samples, targets.depth.format(), request.mask.is_some());
     });
 }
 
 fn record_sum(forward: &mut Forward, recorder: &mut Recorder<'_>, request: &Draw, sum: &Sum, depth: &wgpu::TextureView) {
-    let load = if sum.clear {
-        wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)
-    } else {
-        wgpu::LoadOp::Load
-    };
     let format = depth.texture().format();
-    let descriptor = wgpu::RenderPassDescriptor {
-        label: Some(LABEL),
-        color_attachments: &[color_attachment(&sum.view, load)],
-        depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Clear(0.0), format)),
-        ..Default::default()
-    };
+    let [width, height] = [depth.texture().width(), depth.texture().height()].map(|side| side as f32);
     let masked = request.mask.is_some();
-    recorder.render(&descriptor, |pass| {
-        forward.begin(pass, request, Some(wgpu::TextureFormat::Rgba32Float), 1);
-        forward.fill(pass, Fill::Background, masked);
-        for jitter in 0..request.jitters.len() as u32 {
-            if jitter > 0 {
-                forward.fill(pass, Fill::ResetDepth, masked);
+    let jitters: Vec<u32> = (0..request.jitters.len() as u32).collect();
+    for (chunk, nth) in jitters.chunks(MOST_JITTERS).zip(0..) {
+        let clear = sum.clear && nth == 0;
+        let load = if clear { wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT) } else { wgpu::LoadOp::Load };
+        let descriptor = wgpu::RenderPassDescriptor {
+            label: Some(LABEL),
+            color_attachments: &[color_attachment(&sum.view, load)],
+            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Clear(0.0), format)),
+            ..Default::default()
+        };
+        recorder.render(&descriptor, |pass| {
+            forward.begin(pass, request, Some(wgpu::TextureFormat::Rgba32Float), 1);
+            if nth == 0 {
+                forward.background(pass, masked);
             }
-            forward.surfaces_of(pass, Step::Depth, jitter, 1, format, masked);
-            forward.surfaces_of(pass, Step::Sum, jitter, 1, format, masked);
-        }
-    });
+            for (&jitter, place) in chunk.iter().zip(1..) {
+                let [far, near] = depth_slice(place, chunk.len() as u32);
+                pass.set_viewport(0.0, 0.0, width, height, far, near);
+                pass.set_stencil_reference(place);
+                forward.surfaces(pass, Step::Depth, jitter, 1, format, masked);
+                forward.surfaces(pass, Step::Sum, jitter, 1, format, masked);
+            }
+        });
+    }
+}
+
+/// The range of depth that the `place`-th of `count` jitters draws into (from 1): nearer than all before it, so that nothing must
+/// be cleared between them. Each reaches from one power of two to the next and so has all 23 bits of an f32's fraction to itself,
+/// however many there are; slices of equal size would share them.
+fn depth_slice(place: u32, count: u32) -> [f32; 2] {
+    let near = 0.5f32.powi((count - place) as i32);
+    [0.5 * near, near]
 }
 
 fn record_extras(forward: &mut Forward, recorder: &mut Recorder<'_>, targets: &Targets, depth: &wgpu::TextureView) {
     let Some(step) = extras_step(targets) else {
         return;
     };
-    let view = |texture: &Option<wgpu::Texture>| {
-        texture
-            .as_ref()
-            .map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()))
-    };
+    let view = |texture: &Option<wgpu::Texture>| texture.as_ref().map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()));
     let (motion, ids) = (view(&targets.motion), view(&targets.ids));
     let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
     let attachments = [&motion, &ids].map(|v| v.as_ref().and_then(|v| color_attachment(v, clear)));
@@ -197,32 +181,29 @@ fn record_extras(forward: &mut Forward, recorder: &mut Recorder<'_>, targets: &T
     };
     recorder.render(&descriptor, |pass| {
         pass.set_bind_group(0, &forward.resources.frame_group, &[]);
-        forward.surfaces(pass, step, 0, targets, false);
+        forward.surfaces(pass, step, 0, targets.samples, targets.depth.format(), false);
     });
 }
 
 impl Forward {
-    /// Binds the frame; writes the mask into the stencil where there is one.
+    /// Binds the frame; forbids drawing where a mask says so. Leaves a stencil reference that passes elsewhere.
     fn begin(&mut self, pass: &mut wgpu::RenderPass<'_>, request: &Draw, color: Option<wgpu::TextureFormat>, samples: u32) {
         pass.set_bind_group(0, &self.resources.frame_group, &[]);
         if request.mask.is_some() {
-            pass.set_stencil_reference(STENCIL_MASK);
+            pass.set_stencil_reference(STENCIL_FORBIDDEN);
             pass.set_pipeline(self.pipelines.fill(Fill::Stencil { color }, samples, true));
             pass.set_bind_group(1, self.resources.mask_group.as_ref().map(|(_, group)| group), &[]);
             pass.draw(0..3, 0..1);
+            pass.set_stencil_reference(1);
         }
     }
 
-    fn fill(&mut self, pass: &mut wgpu::RenderPass<'_>, fill: Fill, masked: bool) {
-        pass.set_pipeline(self.pipelines.fill(fill, 1, masked));
+    fn background(&mut self, pass: &mut wgpu::RenderPass<'_>, masked: bool) {
+        pass.set_pipeline(self.pipelines.fill(Fill::Background, 1, masked));
         pass.draw(0..3, 0..1);
     }
 
-    fn surfaces(&mut self, pass: &mut wgpu::RenderPass<'_>, step: Step, jitter: u32, targets: &Targets, masked: bool) {
-        self.surfaces_of(pass, step, jitter, targets.samples, targets.depth.format(), masked);
-    }
-
-    fn surfaces_of(
+    fn surfaces(
         &mut self,
         pass: &mut wgpu::RenderPass<'_>,
         step: Step,
@@ -243,5 +224,18 @@ impl Forward {
             let first = jitter << 16 | batch.first;
             pass.draw_indexed(0..mesh.index_count, 0, first..first + batch.count);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slices_are_disjoint_and_come_nearer() {
+        let slices: Vec<[f32; 2]> = (1..=MOST_JITTERS as u32).map(|place| depth_slice(place, MOST_JITTERS as u32)).collect();
+        assert!(slices[0][0] > f32::MIN_POSITIVE, "normal numbers only");
+        assert!(slices.windows(2).all(|pair| pair[0][1] <= pair[1][0]));
+        assert_eq!(slices.last().map(|s| s[1]), Some(1.0));
     }
 }

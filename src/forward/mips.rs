@@ -8,10 +8,8 @@ use crate::scene::Texture;
 pub(super) fn levels(texture: &Texture) -> Vec<Vec<u8>> {
     let (mut width, mut height) = (texture.width as usize, texture.height as usize);
     let mut levels = vec![texture.rgba8.clone()];
-    let decode: Vec<f64> = (0..=255u8)
-        .map(|x| f64::from(x) / 255.0)
-        .map(|x| if texture.srgb { srgb_decode(x) } else { x })
-        .collect();
+    let decode: Vec<f64> =
+        (0..=255u8).map(|x| f64::from(x) / 255.0).map(|x| if texture.srgb { srgb_decode(x) } else { x }).collect();
     while width > 1 || height > 1 {
         let (w, h) = ((width / 2).max(1), (height / 2).max(1));
         let last = &levels[levels.len() - 1];
@@ -21,15 +19,7 @@ pub(super) fn levels(texture: &Texture) -> Vec<Vec<u8>> {
                 let columns = span(x, w, width);
                 let rows = span(y, h, height);
                 for channel in 0..4 {
-                    next.push(mean(
-                        last,
-                        width,
-                        columns.clone(),
-                        rows.clone(),
-                        channel,
-                        &decode,
-                        texture.srgb,
-                    ));
+                    next.push(mean(last, width, columns.clone(), rows.clone(), channel, &decode, texture.srgb));
                 }
             }
         }
@@ -58,13 +48,7 @@ fn mean(
     let count = columns.len() * rows.len();
     let sum: f64 = rows
         .flat_map(|y| columns.clone().map(move |x| texels[(y * width + x) * 4 + channel]))
-        .map(|texel| {
-            if coded {
-                decode[usize::from(texel)]
-            } else {
-                f64::from(texel) / 255.0
-            }
-        })
+        .map(|texel| if coded { decode[usize::from(texel)] } else { f64::from(texel) / 255.0 })
         .sum();
     let value = sum / count as f64;
     ((if coded { srgb_encode(value) } else { value }) * 255.0).round() as u8
@@ -76,15 +60,7 @@ mod tests {
     use crate::scene::Wrap;
 
     fn texture(width: u32, height: u32, srgb: bool, rgba8: Vec<u8>) -> Texture {
-        Texture {
-            width,
-            height,
-            rgba8,
-            srgb,
-            wrap: [Wrap::Repeat; 2],
-            nearest: false,
-            anisotropy: 1,
-        }
+        Texture { width, height, rgba8, srgb, wrap: [Wrap::Repeat; 2], nearest: false, anisotropy: 1 }
     }
 
     #[test]
@@ -100,11 +76,7 @@ mod tests {
             let flat = [10, 20, 30, 40].repeat((width * height) as usize);
             let levels = levels(&texture(width, height, true, flat));
             assert_eq!(levels.len() as u32, width.max(height).ilog2() + 1);
-            assert!(
-                levels
-                    .iter()
-                    .all(|level| level.chunks(4).all(|texel| texel == [10, 20, 30, 40]))
-            );
+            assert!(levels.iter().all(|level| level.chunks(4).all(|texel| texel == [10, 20, 30, 40])));
             assert_eq!(levels.last().map(Vec::len), Some(4));
         }
     }

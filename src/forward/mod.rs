@@ -5,9 +5,13 @@
 //!
 //! # Sums
 //! Many jitters of one [`Target::Sum`] go into a single render pass with additive blending, so that nothing is cleared or stored
-//! between them. For each jitter: the depth is reset by a full-screen triangle, a depth-only draw leaves the nearest surface, and a
-//! colour draw adds where its depth is equal. A stencil bit lets each pixel be added to once: surfaces at the very same depth
-//! would otherwise both count. The background enters once for all jitters, and surfaces add their difference to it.
+//! between them. For each jitter a depth-only draw leaves the nearest surface and a colour draw adds where its depth is equal; it
+//! does so in a slice of depth of its own, nearer than those before. The stencil counts the jitters, so that each pixel is added to
+//! once in each: surfaces at the very same depth would otherwise both count. The background enters once for all jitters, and
+//! surfaces add their difference to it.
+//!
+//! A slice has 23 bits of depth, evenly spaced, where a plain draw has reversed floating-point depth: far from the near plane
+//! surfaces must lie further apart not to fight, at distance z by about z^2 / near / 2^23.
 
 mod draw;
 mod mips;
@@ -61,12 +65,7 @@ impl Forward {
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self> {
         let pipelines = Pipelines::new(&gpu.device);
         let resources = Resources::new(gpu, scene, &pipelines)?;
-        Ok(Self {
-            device: gpu.device.clone(),
-            queue: gpu.queue.clone(),
-            resources,
-            pipelines,
-        })
+        Ok(Self { device: gpu.device.clone(), queue: gpu.queue.clone(), resources, pipelines })
     }
 
     /// Uploads what stands where at this frame; what follows draws it.
@@ -104,13 +103,9 @@ impl Forward {
         output: &wgpu::TextureView,
     ) -> Result<()> {
         if request.jitters.is_empty() || (request.jitters.len() > 1 && !matches!(request.target, Target::Sum(_))) {
-            return Err(Error::Request(format!(
-                "a draw of {} jitters can only go into a sum",
-                request.jitters.len()
-            )));
+            return Err(Error::Request(format!("a draw of {} jitters can only go into a sum", request.jitters.len())));
         }
-        self.resources
-            .set_draw(&self.device, &self.queue, &request.jitters, targets.size);
+        self.resources.set_draw(&self.device, &self.queue, &request.jitters, targets.size);
         if let Some(mask) = &request.mask {
             self.resources.set_mask(&self.device, &self.pipelines, mask);
         }

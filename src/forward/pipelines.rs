@@ -6,10 +6,12 @@ use super::SHADER;
 use super::uniforms::pattern_number;
 use crate::scene::{AlphaMode, Material};
 
-/// Set where a mask allows drawing.
-pub(super) const STENCIL_MASK: u32 = 0x80;
-/// Set where the current jitter has been added.
-pub(super) const STENCIL_ADDED: u32 = 0x01;
+/// In the stencil where a mask forbids drawing. Everything that draws passes where its reference is greater than what is stored,
+/// so nothing passes here.
+pub(super) const STENCIL_FORBIDDEN: u32 = 0xff;
+
+/// Most jitters of one render pass: the stencil counts them, below [`STENCIL_FORBIDDEN`], and each takes a power of two of depth.
+pub(super) const MOST_JITTERS: usize = 100;
 
 /// What a surface's shader is compiled for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -26,11 +28,7 @@ pub(super) struct Kind {
 
 impl Kind {
     pub(super) fn of(material: &Material, mirrored: bool) -> Self {
-        let textures = [
-            material.base_color_texture,
-            material.metallic_roughness_texture,
-            material.emissive_texture,
-        ];
+        let textures = [material.base_color_texture, material.metallic_roughness_texture, material.emissive_texture];
         Self {
             pattern: pattern_number(&material.pattern),
             unlit: material.unlit,
@@ -47,10 +45,7 @@ impl Kind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Step {
     /// Colour with depth test and write.
-    Color {
-        format: wgpu::TextureFormat,
-        alpha_to_coverage: bool,
-    },
+    Color { format: wgpu::TextureFormat, alpha_to_coverage: bool },
     /// Depth alone, before a sum.
     Depth,
     /// Adds where the depth is equal and nothing was added yet.
@@ -62,28 +57,16 @@ pub(super) enum Step {
 /// Full-screen steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Fill {
-    /// Depth to the far plane, the added bit to zero.
-    ResetDepth,
     /// The background, weighted by the sum of all weights.
     Background,
-    /// The mask bit where the mask texture is set.
+    /// Forbids drawing where the mask texture is zero.
     Stencil { color: Option<wgpu::TextureFormat> },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Key {
-    Surface {
-        kind: Kind,
-        step: Step,
-        samples: u32,
-        depth: wgpu::TextureFormat,
-        masked_draw: bool,
-    },
-    Fill {
-        fill: Fill,
-        samples: u32,
-        masked_draw: bool,
-    },
+    Surface { kind: Kind, step: Step, samples: u32, depth: wgpu::TextureFormat, masked_draw: bool },
+    Fill { fill: Fill, samples: u32, masked_draw: bool },
 }
 
 /// Layouts, the module, and every pipeline made so far.
@@ -101,28 +84,15 @@ pub(super) struct Pipelines {
 }
 
 fn entry(binding: u32, visibility: wgpu::ShaderStages, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility,
-        ty,
-        count: None,
-    }
+    wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None }
 }
 
 fn buffer(ty: wgpu::BufferBindingType) -> wgpu::BindingType {
-    wgpu::BindingType::Buffer {
-        ty,
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    }
+    wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None }
 }
 
 fn texture(sample_type: wgpu::TextureSampleType) -> wgpu::BindingType {
-    wgpu::BindingType::Texture {
-        sample_type,
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    }
+    wgpu::BindingType::Texture { sample_type, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }
 }
 
 impl Pipelines {
@@ -131,31 +101,16 @@ impl Pipelines {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let storage = buffer(wgpu::BufferBindingType::Storage { read_only: true });
         let layout = |label, entries: &[_]| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some(label),
-                entries,
-            })
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
         };
         let frame_layout = layout(
             "frame",
-            &[
-                entry(0, both, buffer(wgpu::BufferBindingType::Uniform)),
-                entry(1, both, storage),
-                entry(2, both, storage),
-            ],
+            &[entry(0, both, buffer(wgpu::BufferBindingType::Uniform)), entry(1, both, storage), entry(2, both, storage)],
         );
         let mut material = vec![entry(0, fragment, buffer(wgpu::BufferBindingType::Uniform))];
         for slot in 0..4 {
-            material.push(entry(
-                1 + 2 * slot,
-                fragment,
-                texture(wgpu::TextureSampleType::Float { filterable: true }),
-            ));
-            material.push(entry(
-                2 + 2 * slot,
-                fragment,
-                wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-            ));
+            material.push(entry(1 + 2 * slot, fragment, texture(wgpu::TextureSampleType::Float { filterable: true })));
+            material.push(entry(2 + 2 * slot, fragment, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)));
         }
         let material_layout = layout("material", &material);
         let mask_layout = layout("mask", &[entry(9, fragment, texture(wgpu::TextureSampleType::Uint))]);
@@ -187,13 +142,7 @@ impl Pipelines {
         depth: wgpu::TextureFormat,
         masked_draw: bool,
     ) -> &wgpu::RenderPipeline {
-        let key = Key::Surface {
-            kind,
-            step,
-            samples,
-            depth,
-            masked_draw,
-        };
+        let key = Key::Surface { kind, step, samples, depth, masked_draw };
         if !self.made.contains_key(&key) {
             let pipeline = self.make_surface(kind, step, samples, depth, masked_draw);
             self.made.insert(key, pipeline);
@@ -202,11 +151,7 @@ impl Pipelines {
     }
 
     pub(super) fn fill(&mut self, fill: Fill, samples: u32, masked_draw: bool) -> &wgpu::RenderPipeline {
-        let key = Key::Fill {
-            fill,
-            samples,
-            masked_draw,
-        };
+        let key = Key::Fill { fill, samples, masked_draw };
         if !self.made.contains_key(&key) {
             let pipeline = self.make_fill(fill, samples, masked_draw);
             self.made.insert(key, pipeline);
@@ -222,13 +167,7 @@ impl Pipelines {
         depth: wgpu::TextureFormat,
         masked_draw: bool,
     ) -> wgpu::RenderPipeline {
-        let a2c = matches!(
-            step,
-            Step::Color {
-                alpha_to_coverage: true,
-                ..
-            }
-        );
+        let a2c = matches!(step, Step::Color { alpha_to_coverage: true, .. });
         let on = |b: bool| f64::from(u8::from(b));
         let constants = [
             ("PATTERN", f64::from(kind.pattern)),
@@ -245,18 +184,10 @@ impl Pipelines {
             Step::Depth => ("vs_depth", None, vec![]),
             Step::Extras { motion, ids } => {
                 let motion = motion.then(|| wgpu::TextureFormat::Rg32Float.into());
-                (
-                    "vs_extras",
-                    Some("fs_extras"),
-                    vec![motion, ids.then(|| wgpu::TextureFormat::R32Uint.into())],
-                )
+                ("vs_extras", Some("fs_extras"), vec![motion, ids.then(|| wgpu::TextureFormat::R32Uint.into())])
             }
         };
-        let targets = if step == Step::Depth {
-            vec![Some(no_color())]
-        } else {
-            targets
-        };
+        let targets = if step == Step::Depth { vec![Some(no_color())] } else { targets };
         let has_fragment = fragment.is_some();
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(vertex),
@@ -268,11 +199,7 @@ impl Pipelines {
                 buffers: &vertex_buffers(vertex != "vs_depth"),
             },
             primitive: wgpu::PrimitiveState {
-                front_face: if kind.mirrored {
-                    wgpu::FrontFace::Cw
-                } else {
-                    wgpu::FrontFace::Ccw
-                },
+                front_face: if kind.mirrored { wgpu::FrontFace::Cw } else { wgpu::FrontFace::Ccw },
                 cull_mode: (!kind.double_sided).then_some(wgpu::Face::Back),
                 ..Default::default()
             },
@@ -299,19 +226,13 @@ impl Pipelines {
 
     fn make_fill(&self, fill: Fill, samples: u32, masked_draw: bool) -> wgpu::RenderPipeline {
         let (layout, fragment, target) = match fill {
-            Fill::ResetDepth => (&self.fill_layout, "fs_nothing", Some(no_color())),
             Fill::Background => (&self.fill_layout, "fs_background", Some(additive())),
             Fill::Stencil { color } => (&self.stencil_layout, "fs_stencil", color.map(no_color_of)),
         };
-        let keep = wgpu::CompareFunction::Always;
-        let reset = fill == Fill::ResetDepth;
         let stencil = match fill {
-            Fill::ResetDepth => stencil(keep, wgpu::StencilOperation::Zero, 0, STENCIL_ADDED),
-            Fill::Background if masked_draw => {
-                stencil(wgpu::CompareFunction::Equal, wgpu::StencilOperation::Keep, STENCIL_MASK, 0)
-            }
-            Fill::Background => stencil(keep, wgpu::StencilOperation::Keep, 0, 0),
-            Fill::Stencil { .. } => stencil(keep, wgpu::StencilOperation::Replace, 0, STENCIL_MASK),
+            Fill::Background if masked_draw => stencil(wgpu::CompareFunction::Greater, wgpu::StencilOperation::Keep),
+            Fill::Background => wgpu::StencilState::default(),
+            Fill::Stencil { .. } => stencil(wgpu::CompareFunction::Always, wgpu::StencilOperation::Replace),
         };
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(fragment),
@@ -325,15 +246,12 @@ impl Pipelines {
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: wgpu::TextureFormat::Depth32FloatStencil8,
-                depth_write_enabled: Some(reset),
-                depth_compare: Some(keep),
+                depth_write_enabled: Some(false),
+                depth_compare: Some(wgpu::CompareFunction::Always),
                 stencil,
                 bias: wgpu::DepthBiasState::default(),
             }),
-            multisample: wgpu::MultisampleState {
-                count: samples,
-                ..Default::default()
-            },
+            multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
             fragment: Some(wgpu::FragmentState {
                 module: &self.module,
                 entry_point: Some(fragment),
@@ -364,47 +282,28 @@ fn no_color() -> wgpu::ColorTargetState {
 }
 
 fn no_color_of(format: wgpu::TextureFormat) -> wgpu::ColorTargetState {
-    wgpu::ColorTargetState {
-        format,
-        blend: None,
-        write_mask: wgpu::ColorWrites::empty(),
-    }
+    wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::empty() }
 }
 
-fn stencil(
-    compare: wgpu::CompareFunction,
-    pass_op: wgpu::StencilOperation,
-    read_mask: u32,
-    write_mask: u32,
-) -> wgpu::StencilState {
-    let face = wgpu::StencilFaceState {
-        compare,
-        pass_op,
-        ..wgpu::StencilFaceState::IGNORE
-    };
-    wgpu::StencilState {
-        front: face,
-        back: face,
-        read_mask,
-        write_mask,
-    }
+fn stencil(compare: wgpu::CompareFunction, pass_op: wgpu::StencilOperation) -> wgpu::StencilState {
+    let face = wgpu::StencilFaceState { compare, pass_op, ..wgpu::StencilFaceState::IGNORE };
+    wgpu::StencilState { front: face, back: face, read_mask: 0xff, write_mask: 0xff }
 }
 
 fn surface_depth_stencil(step: Step, format: wgpu::TextureFormat, masked_draw: bool) -> wgpu::DepthStencilState {
     let writes_depth = matches!(step, Step::Color { .. } | Step::Depth);
-    let equal = wgpu::CompareFunction::Equal;
-    let mask = if masked_draw { STENCIL_MASK } else { 0 };
+    let greater = wgpu::CompareFunction::Greater;
     let stencil = match step {
-        // Equal to the reference (the mask bit alone): allowed by the mask and not added to yet. Passing sets the added bit.
-        Step::Sum => stencil(equal, wgpu::StencilOperation::Invert, mask | STENCIL_ADDED, STENCIL_ADDED),
-        _ if masked_draw => stencil(equal, wgpu::StencilOperation::Keep, mask, 0),
+        // The reference is the jitter's number from 1: who passes stores it, so nobody passes here again in this jitter.
+        Step::Sum => stencil(greater, wgpu::StencilOperation::Replace),
+        Step::Color { .. } | Step::Depth if masked_draw => stencil(greater, wgpu::StencilOperation::Keep),
         _ => wgpu::StencilState::default(),
     };
     wgpu::DepthStencilState {
         format,
         depth_write_enabled: Some(writes_depth),
         // Reversed depth: nearer is greater. Strictly, so that of two surfaces at one depth the first drawn stays.
-        depth_compare: Some(if writes_depth { wgpu::CompareFunction::Greater } else { equal }),
+        depth_compare: Some(if writes_depth { greater } else { wgpu::CompareFunction::Equal }),
         stencil,
         bias: wgpu::DepthBiasState::default(),
     }
@@ -417,11 +316,7 @@ const ATTRIBUTES: [wgpu::VertexAttribute; 4] =
 /// Positions lie apart from the rest: a depth-only draw reads nothing else.
 fn vertex_buffers(all: bool) -> Vec<Option<wgpu::VertexBufferLayout<'static>>> {
     let layout = |array_stride, attributes| {
-        Some(wgpu::VertexBufferLayout {
-            array_stride,
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes,
-        })
+        Some(wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes })
     };
     let mut buffers = vec![layout(12, &POSITION[..])];
     if all {

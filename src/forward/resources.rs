@@ -59,15 +59,9 @@ impl Resources {
         let textures: Vec<wgpu::Texture> = scene.textures.iter().map(|t| upload_texture(gpu, t)).collect::<Result<_>>()?;
         let plain = PlainTextures::new(gpu);
         let bind = |material: &Material| bind_material(gpu, pipelines, material, scene, &textures, &plain);
-        let storage = |label, bytes| {
-            gpu.device
-                .create_buffer(&descriptor(label, bytes, wgpu::BufferUsages::STORAGE))
-        };
-        let uniform_buffer = gpu.device.create_buffer(&descriptor(
-            "frame",
-            size_of::<FrameUniforms>() as u64,
-            wgpu::BufferUsages::UNIFORM,
-        ));
+        let storage = |label, bytes| gpu.device.create_buffer(&descriptor(label, bytes, wgpu::BufferUsages::STORAGE));
+        let uniform_buffer =
+            gpu.device.create_buffer(&descriptor("frame", size_of::<FrameUniforms>() as u64, wgpu::BufferUsages::UNIFORM));
         let objects = storage("objects", size_of::<Object>() as u64);
         let jitters = storage("jitters", size_of::<JitterData>() as u64);
         let frame_group = bind_frame(&gpu.device, &pipelines.frame_layout, [&uniform_buffer, &objects, &jitters]);
@@ -105,30 +99,18 @@ impl Resources {
         let mut used = HashMap::new();
         for instance in &frame.instances {
             let key = Arc::as_ptr(&instance.mesh);
-            used.entry(key).or_insert_with(|| {
-                self.meshes
-                    .remove(&key)
-                    .unwrap_or_else(|| upload_mesh(device, &instance.mesh))
-            });
+            used.entry(key).or_insert_with(|| self.meshes.remove(&key).unwrap_or_else(|| upload_mesh(device, &instance.mesh)));
         }
         // Meshes of earlier frames that are gone now (ribbons that follow the camera) are dropped here.
         self.meshes = used;
         self.uniforms = FrameUniforms::of(&self.light, &frame.view, size);
         let aspect = f64::from(size[0]) / f64::from(size[1]);
         let object = |i: &crate::scene::Instance| {
-            Object::of(
-                i,
-                self.meshes[&Arc::as_ptr(&i.mesh)].centre,
-                &frame.view,
-                &frame.previous_view,
-                aspect,
-            )
+            Object::of(i, self.meshes[&Arc::as_ptr(&i.mesh)].centre, &frame.view, &frame.previous_view, aspect)
         };
         let objects: Vec<Object> = frame.instances.iter().map(object).collect();
         self.batches = self.batch(frame);
-        self.fill_storage(device, queue, bytemuck::cast_slice(&objects), |resources| {
-            &mut resources.objects
-        });
+        self.fill_storage(device, queue, bytemuck::cast_slice(&objects), |resources| &mut resources.objects);
     }
 
     fn batch(&self, frame: &Frame) -> Vec<Batch> {
@@ -149,13 +131,7 @@ impl Resources {
                 {
                     last.count += 1;
                 }
-                _ => batches.push(Batch {
-                    mesh,
-                    material: instance.material,
-                    kind,
-                    first: index,
-                    count: 1,
-                }),
+                _ => batches.push(Batch { mesh, material: instance.material, kind, first: index, count: 1 }),
             }
         }
         batches
@@ -177,10 +153,7 @@ impl Resources {
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("mask"),
             layout: &pipelines.mask_layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 9,
-                resource: wgpu::BindingResource::TextureView(mask),
-            }],
+            entries: &[wgpu::BindGroupEntry { binding: 9, resource: wgpu::BindingResource::TextureView(mask) }],
         });
         self.mask_group = Some((mask.clone(), group));
     }
@@ -199,77 +172,38 @@ impl Resources {
         let current = buffer(self);
         if current.size() < bytes.len() as u64 {
             *current = device.create_buffer(&descriptor("scene data", bytes.len() as u64, wgpu::BufferUsages::STORAGE));
-            self.frame_group = bind_frame(
-                device,
-                &self.frame_layout,
-                [&self.uniform_buffer, &self.objects, &self.jitters],
-            );
+            self.frame_group = bind_frame(device, &self.frame_layout, [&self.uniform_buffer, &self.objects, &self.jitters]);
         }
         queue.write_buffer(buffer(self), 0, bytes);
     }
 
     pub(super) fn bytes(&self) -> u64 {
         #[expect(clippy::iter_over_hash_type, reason = "a sum of integers does not depend on the order")]
-        let meshes = self
-            .meshes
-            .values()
-            .map(|m| m.positions.size() + m.attributes.size() + m.indices.size())
-            .sum::<u64>();
+        let meshes = self.meshes.values().map(|m| m.positions.size() + m.attributes.size() + m.indices.size()).sum::<u64>();
         self.texture_bytes + meshes + self.objects.size() + self.jitters.size()
     }
 }
 
 fn descriptor(label: &'static str, size: u64, usage: wgpu::BufferUsages) -> wgpu::BufferDescriptor<'static> {
-    wgpu::BufferDescriptor {
-        label: Some(label),
-        size,
-        usage: usage | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    }
+    wgpu::BufferDescriptor { label: Some(label), size, usage: usage | wgpu::BufferUsages::COPY_DST, mapped_at_creation: false }
 }
 
 fn bind_frame(device: &wgpu::Device, layout: &wgpu::BindGroupLayout, buffers: [&wgpu::Buffer; 3]) -> wgpu::BindGroup {
-    let entries: Vec<_> = buffers
-        .iter()
-        .zip(0..)
-        .map(|(b, binding)| wgpu::BindGroupEntry {
-            binding,
-            resource: b.as_entire_binding(),
-        })
-        .collect();
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("frame"),
-        layout,
-        entries: &entries,
-    })
+    let entries: Vec<_> =
+        buffers.iter().zip(0..).map(|(b, binding)| wgpu::BindGroupEntry { binding, resource: b.as_entire_binding() }).collect();
+    device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("frame"), layout, entries: &entries })
 }
 
 fn upload_mesh(device: &wgpu::Device, mesh: &Arc<Mesh>) -> MeshBuffers {
     let centre = mesh.bounds().map_or(DVec3::ZERO, |(low, high)| 0.5 * (low + high));
-    let positions: Vec<[f32; 3]> = mesh
-        .vertices
-        .iter()
-        .map(|v| (v.position - centre).as_vec3().to_array())
-        .collect();
+    let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|v| (v.position - centre).as_vec3().to_array()).collect();
     let attributes: Vec<f32> = mesh
         .vertices
         .iter()
-        .flat_map(|v| {
-            [
-                &v.normal.to_array()[..],
-                &v.tangent.to_array(),
-                &v.uv.to_array(),
-                &v.color.to_array(),
-            ]
-            .concat()
-        })
+        .flat_map(|v| [&v.normal.to_array()[..], &v.tangent.to_array(), &v.uv.to_array(), &v.color.to_array()].concat())
         .collect();
     let buffer = |label, contents, usage| {
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some(label),
-            contents,
-            usage,
-        })
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
     };
     MeshBuffers {
         _mesh: Arc::clone(mesh),
@@ -310,12 +244,8 @@ fn bind_material(
         contents: bytemuck::bytes_of(&MaterialUniforms::of(material)),
         usage: wgpu::BufferUsages::UNIFORM,
     });
-    let slots: [Option<TextureRef>; 4] = [
-        material.base_color_texture,
-        material.metallic_roughness_texture,
-        material.normal_texture,
-        material.emissive_texture,
-    ];
+    let slots: [Option<TextureRef>; 4] =
+        [material.base_color_texture, material.metallic_roughness_texture, material.normal_texture, material.emissive_texture];
     let bound: Vec<(wgpu::TextureView, wgpu::Sampler)> = slots
         .iter()
         .map(|slot| match slot {
@@ -326,19 +256,10 @@ fn bind_material(
             ),
         })
         .collect();
-    let mut entries = vec![wgpu::BindGroupEntry {
-        binding: 0,
-        resource: uniforms.as_entire_binding(),
-    }];
+    let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }];
     for ((view, sampler), slot) in bound.iter().zip(0..) {
-        entries.push(wgpu::BindGroupEntry {
-            binding: 1 + 2 * slot,
-            resource: wgpu::BindingResource::TextureView(view),
-        });
-        entries.push(wgpu::BindGroupEntry {
-            binding: 2 + 2 * slot,
-            resource: wgpu::BindingResource::Sampler(sampler),
-        });
+        entries.push(wgpu::BindGroupEntry { binding: 1 + 2 * slot, resource: wgpu::BindingResource::TextureView(view) });
+        entries.push(wgpu::BindGroupEntry { binding: 2 + 2 * slot, resource: wgpu::BindingResource::Sampler(sampler) });
     }
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("material"),
@@ -359,11 +280,7 @@ fn sampler(texture: &Texture) -> wgpu::SamplerDescriptor<'static> {
         label: Some("texture"),
         address_mode_u: address(texture.wrap[0]),
         address_mode_v: address(texture.wrap[1]),
-        mag_filter: if nearest {
-            wgpu::FilterMode::Nearest
-        } else {
-            wgpu::FilterMode::Linear
-        },
+        mag_filter: if nearest { wgpu::FilterMode::Nearest } else { wgpu::FilterMode::Linear },
         min_filter: wgpu::FilterMode::Linear,
         mipmap_filter: wgpu::MipmapFilterMode::Linear,
         anisotropy_clamp: texture.anisotropy.clamp(1, 16),
@@ -379,38 +296,19 @@ fn upload_texture(gpu: &Gpu, texture: &Texture) -> Result<wgpu::Texture> {
             texture.width, texture.height
         )));
     }
-    Ok(upload_levels(
-        gpu,
-        texture.width,
-        texture.height,
-        texture.srgb,
-        &levels(texture),
-    ))
+    Ok(upload_levels(gpu, texture.width, texture.height, texture.srgb, &levels(texture)))
 }
 
 fn upload_levels(gpu: &Gpu, width: u32, height: u32, srgb: bool, levels: &[Vec<u8>]) -> wgpu::Texture {
     let descriptor = wgpu::TextureDescriptor {
         label: Some("scene texture"),
-        size: wgpu::Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        },
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: levels.len() as u32,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: if srgb {
-            wgpu::TextureFormat::Rgba8UnormSrgb
-        } else {
-            wgpu::TextureFormat::Rgba8Unorm
-        },
+        format: if srgb { wgpu::TextureFormat::Rgba8UnormSrgb } else { wgpu::TextureFormat::Rgba8Unorm },
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     };
-    gpu.device.create_texture_with_data(
-        &gpu.queue,
-        &descriptor,
-        wgpu::util::TextureDataOrder::LayerMajor,
-        &levels.concat(),
-    )
+    gpu.device.create_texture_with_data(&gpu.queue, &descriptor, wgpu::util::TextureDataOrder::LayerMajor, &levels.concat())
 }

@@ -26,29 +26,14 @@ impl Targets {
     pub(super) fn new(gpu: &Gpu, size: [u32; 2], draw: &Draw, extras: Extras) -> Result<Self> {
         let samples = draw.samples;
         if samples > 1 && (extras.motion || extras.ids || matches!(draw.target, Target::Sum(_))) {
-            return Err(Error::Unsupported(
-                "motion vectors, object ids and sums are drawn with one sample a pixel".into(),
-            ));
+            return Err(Error::Unsupported("motion vectors, object ids and sums are drawn with one sample a pixel".into()));
         }
         let stencil = draw.mask.is_some() || matches!(draw.target, Target::Sum(_));
         if stencil && !gpu.device.features().contains(wgpu::Features::DEPTH32FLOAT_STENCIL8) {
-            return Err(Error::Unsupported(
-                "sums and masks need DEPTH32FLOAT_STENCIL8, which this adapter lacks".into(),
-            ));
+            return Err(Error::Unsupported("sums and masks need DEPTH32FLOAT_STENCIL8, which this adapter lacks".into()));
         }
-        let depth_format = if stencil {
-            wgpu::TextureFormat::Depth32FloatStencil8
-        } else {
-            wgpu::TextureFormat::Depth32Float
-        };
-        let target = |label, format| {
-            gpu.target(TextureSpec {
-                label,
-                size,
-                format,
-                samples,
-            })
-        };
+        let depth_format = if stencil { wgpu::TextureFormat::Depth32FloatStencil8 } else { wgpu::TextureFormat::Depth32Float };
+        let target = |label, format| gpu.target(TextureSpec { label, size, format, samples });
         Ok(Self {
             size,
             samples,
@@ -62,16 +47,11 @@ impl Targets {
     /// Bytes of all of them.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        [
-            self.color.as_ref(),
-            Some(&self.depth),
-            self.motion.as_ref(),
-            self.ids.as_ref(),
-        ]
-        .into_iter()
-        .flatten()
-        .map(bytes_of)
-        .sum()
+        [self.color.as_ref(), Some(&self.depth), self.motion.as_ref(), self.ids.as_ref()]
+            .into_iter()
+            .flatten()
+            .map(bytes_of)
+            .sum()
     }
 
     /// Format of the colour that a pass gets as input.

@@ -6,12 +6,7 @@ use crate::pass::Jitter;
 use crate::scene::{AlphaMode, Instance, Material, Pattern, Projection, Scene, View};
 use crate::shader::layout::{Layout, gpu_struct};
 
-pub(super) const LAYOUTS: &[Layout] = &[
-    FrameUniforms::LAYOUT,
-    Object::LAYOUT,
-    JitterData::LAYOUT,
-    MaterialUniforms::LAYOUT,
-];
+pub(super) const LAYOUTS: &[Layout] = &[FrameUniforms::LAYOUT, Object::LAYOUT, JitterData::LAYOUT, MaterialUniforms::LAYOUT];
 
 type Matrix = [[f32; 4]; 4];
 
@@ -131,11 +126,7 @@ impl Object {
             camera_relative_from_object: matrix(DMat4::from(camera_relative)),
             normal_from_object: Mat4::from_mat3(normal_matrix(camera_relative.matrix3).as_mat3()).to_cols_array_2d(),
             id: instance.id,
-            handedness: if camera_relative.matrix3.determinant() < 0.0 {
-                -1.0
-            } else {
-                1.0
-            },
+            handedness: if camera_relative.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 },
             padding: [0; 2],
         }
     }
@@ -145,12 +136,7 @@ impl Object {
 /// sign is kept, so that mirrored objects keep their outside.
 fn normal_matrix(m: DMat3) -> DMat3 {
     let cofactors = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
-    let scale = cofactors
-        .x_axis
-        .length()
-        .max(cofactors.y_axis.length())
-        .max(cofactors.z_axis.length())
-        .max(f64::MIN_POSITIVE);
+    let scale = cofactors.x_axis.length().max(cofactors.y_axis.length()).max(cofactors.z_axis.length()).max(f64::MIN_POSITIVE);
     cofactors * (m.determinant().signum() / scale)
 }
 
@@ -159,11 +145,7 @@ impl JitterData {
     pub(super) fn of(jitter: &Jitter, size: [u32; 2]) -> Self {
         let [x, y] = jitter.offset_px.map(f64::from);
         let [width, height] = size.map(f64::from);
-        Self {
-            offset_ndc: [(-2.0 * x / width) as f32, (2.0 * y / height) as f32],
-            weight: jitter.weight,
-            padding: 0.0,
-        }
+        Self { offset_ndc: [(-2.0 * x / width) as f32, (2.0 * y / height) as f32], weight: jitter.weight, padding: 0.0 }
     }
 }
 
@@ -212,30 +194,17 @@ mod tests {
 
     #[test]
     fn normals_stay_perpendicular_and_outside() {
-        for scale in [
-            DVec3::new(1.0, 2.0, 3.0),
-            DVec3::new(-1.0, 2.0, 0.5),
-            DVec3::new(1.0, 1.0, 1e-9),
-        ] {
+        for scale in [DVec3::new(1.0, 2.0, 3.0), DVec3::new(-1.0, 2.0, 0.5), DVec3::new(1.0, 1.0, 1e-9)] {
             let m = DMat3::from_rotation_y(0.7) * DMat3::from_diagonal(scale);
             let normal = normal_matrix(m) * DVec3::Z;
-            assert!(
-                normal.dot(m * DVec3::X).abs() < 1e-9 && normal.dot(m * DVec3::Y).abs() < 1e-9,
-                "{scale}"
-            );
+            assert!(normal.dot(m * DVec3::X).abs() < 1e-9 && normal.dot(m * DVec3::Y).abs() < 1e-9, "{scale}");
             assert!(normal.dot(m * DVec3::Z) > 0.0, "{scale}");
         }
     }
 
     #[test]
     fn a_jitter_to_the_lower_right_moves_the_geometry_to_the_upper_left() {
-        let data = JitterData::of(
-            &Jitter {
-                offset_px: [0.5, 0.25],
-                weight: 1.0,
-            },
-            [10, 20],
-        );
+        let data = JitterData::of(&Jitter { offset_px: [0.5, 0.25], weight: 1.0 }, [10, 20]);
         assert_eq!(data.offset_ndc, [-0.1, 0.025]);
     }
 }

@@ -70,11 +70,7 @@ impl Card {
 
 impl fmt::Display for Card {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} ({}; {} {}; {})",
-            self.name, self.kind, self.driver, self.driver_version, self.backend
-        )
+        write!(f, "{} ({}; {} {}; {})", self.name, self.kind, self.driver, self.driver_version, self.backend)
     }
 }
 

@@ -33,7 +33,10 @@ impl Gpu {
     /// # Errors
     /// [`Error::NoAdapter`] if none matches; [`Error::Gpu`] if it cannot be opened.
     pub fn open(choice: &AdapterChoice) -> Result<Self> {
-        Self::from_adapter(choose(choice)?)
+        let adapter = choose(choice)?;
+        let features = adapter.features() & WANTED;
+        let limits = adapter.limits();
+        Self::from_adapter(adapter, features, limits)
     }
 
     /// A device of the no-op backend: everything is validated, nothing is drawn.
@@ -46,24 +49,17 @@ impl Gpu {
         descriptor.backend_options.noop.enable = true;
         let instance = wgpu::Instance::new(descriptor);
         let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::NOOP));
-        let adapter = adapters
-            .into_iter()
-            .next()
-            .ok_or_else(|| Error::NoAdapter("the no-op backend does not answer".into()))?;
-        Self::from_adapter(adapter)
+        let adapter = adapters.into_iter().next().ok_or_else(|| Error::NoAdapter("the no-op backend does not answer".into()))?;
+        // What the no-op adapter claims for itself is meaningless: WebGPU's guarantees are what validation should go by.
+        let features = adapter.features() & WANTED - wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES;
+        Self::from_adapter(adapter, features, wgpu::Limits::default())
     }
 
-    fn from_adapter(adapter: wgpu::Adapter) -> Result<Self> {
-        let descriptor = wgpu::DeviceDescriptor {
-            label: Some("dejag"),
-            required_features: adapter.features() & WANTED,
-            required_limits: adapter.limits(),
-            ..Default::default()
-        };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| Error::Gpu {
-            kind: "opening the device",
-            message: e.to_string(),
-        })?;
+    fn from_adapter(adapter: wgpu::Adapter, required_features: wgpu::Features, required_limits: wgpu::Limits) -> Result<Self> {
+        let descriptor =
+            wgpu::DeviceDescriptor { label: Some("dejag"), required_features, required_limits, ..Default::default() };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|e| Error::Gpu { kind: "opening the device", message: e.to_string() })?;
         let failure = Arc::new(Mutex::new(None));
         let keep = |failure: &Arc<Mutex<Option<Error>>>, error| {
             // The first failure is the cause; what follows are consequences.
@@ -74,23 +70,11 @@ impl Gpu {
         let on_loss = Arc::clone(&failure);
         device.set_device_lost_callback(move |reason, message| {
             if reason != wgpu::DeviceLostReason::Destroyed {
-                keep(
-                    &on_loss,
-                    Error::Gpu {
-                        kind: "device lost",
-                        message,
-                    },
-                );
+                keep(&on_loss, Error::Gpu { kind: "device lost", message });
             }
         });
         let card = Card::of(&adapter.get_info());
-        Ok(Self {
-            device,
-            queue,
-            adapter,
-            card,
-            failure,
-        })
+        Ok(Self { device, queue, adapter, card, failure })
     }
 
     /// Whether it rasterises on the CPU.
@@ -126,33 +110,22 @@ impl Gpu {
     pub fn wait(&self) -> Result<()> {
         let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
         self.check()?;
-        polled.map(drop).map_err(|e| Error::Gpu {
-            kind: "waiting",
-            message: e.to_string(),
-        })
+        polled.map(drop).map_err(|e| Error::Gpu { kind: "waiting", message: e.to_string() })
     }
 
     /// A fresh encoder.
     #[must_use]
     pub fn encoder(&self) -> wgpu::CommandEncoder {
-        self.device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("dejag") })
+        self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("dejag") })
     }
 
     /// Sample counts that both rgba16float colour and the depth formats have here, ascending, 1 among them.
     #[must_use]
     pub fn sample_counts(&self) -> Vec<u32> {
-        if self
-            .device
-            .features()
-            .contains(wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES)
-        {
+        if self.device.features().contains(wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES) {
             let flags = |format| self.adapter.get_texture_format_features(format).flags;
             let both = flags(wgpu::TextureFormat::Rgba16Float) & flags(wgpu::TextureFormat::Depth32Float);
-            [1, 2, 4, 8, 16]
-                .into_iter()
-                .filter(|count| both.sample_count_supported(*count))
-                .collect()
+            [1, 2, 4, 8, 16].into_iter().filter(|count| both.sample_count_supported(*count)).collect()
         } else {
             vec![1, 4]
         }
@@ -186,8 +159,5 @@ fn named(error: &wgpu::Error) -> Error {
         wgpu::Error::Validation { .. } => "validation",
         wgpu::Error::Internal { .. } => "internal",
     };
-    Error::Gpu {
-        kind,
-        message: error.to_string(),
-    }
+    Error::Gpu { kind, message: error.to_string() }
 }

@@ -34,10 +34,7 @@ impl Gpu {
             self.copy_rows(texture, aspect, top, rows, &buffer, padded_row as u32)?;
             self.map(&buffer)?;
             {
-                let view = buffer.get_mapped_range(..).map_err(|e| Error::Gpu {
-                    kind: "mapping",
-                    message: e.to_string(),
-                })?;
+                let view = buffer.get_mapped_range(..).map_err(|e| Error::Gpu { kind: "mapping", message: e.to_string() })?;
                 for padded in view.chunks_exact(padded_row as usize).take(rows as usize) {
                     bytes.extend_from_slice(&padded[..row as usize]);
                 }
@@ -62,10 +59,7 @@ impl Gpu {
         encoder.copy_buffer_to_buffer(source, 0, &buffer, 0, source.size());
         self.submit(encoder)?;
         self.map(&buffer)?;
-        let view = buffer.get_mapped_range(..).map_err(|e| Error::Gpu {
-            kind: "mapping",
-            message: e.to_string(),
-        })?;
+        let view = buffer.get_mapped_range(..).map_err(|e| Error::Gpu { kind: "mapping", message: e.to_string() })?;
         Ok(view.to_vec())
     }
 
@@ -80,25 +74,12 @@ impl Gpu {
     ) -> Result<()> {
         let mut encoder = self.encoder();
         encoder.copy_texture_to_buffer(
-            wgpu::TexelCopyTextureInfo {
-                texture,
-                mip_level: 0,
-                origin: wgpu::Origin3d { x: 0, y: top, z: 0 },
-                aspect,
-            },
+            wgpu::TexelCopyTextureInfo { texture, mip_level: 0, origin: wgpu::Origin3d { x: 0, y: top, z: 0 }, aspect },
             wgpu::TexelCopyBufferInfo {
                 buffer,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(padded_row),
-                    rows_per_image: None,
-                },
+                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded_row), rows_per_image: None },
             },
-            wgpu::Extent3d {
-                width: texture.width(),
-                height: rows,
-                depth_or_array_layers: 1,
-            },
+            wgpu::Extent3d { width: texture.width(), height: rows, depth_or_array_layers: 1 },
         );
         self.submit(encoder)
     }
@@ -112,14 +93,8 @@ impl Gpu {
         self.wait()?;
         match receiver.try_recv() {
             Ok(Ok(())) => Ok(()),
-            Ok(Err(e)) => Err(Error::Gpu {
-                kind: "mapping",
-                message: e.to_string(),
-            }),
-            Err(_) => Err(Error::Gpu {
-                kind: "mapping",
-                message: "the driver did not answer".into(),
-            }),
+            Ok(Err(e)) => Err(Error::Gpu { kind: "mapping", message: e.to_string() }),
+            Err(_) => Err(Error::Gpu { kind: "mapping", message: "the driver did not answer".into() }),
         }
     }
 
@@ -136,9 +111,7 @@ impl Gpu {
         let bytes = self.read_bytes(texture, aspect)?;
         let pixels: Vec<[f32; 4]> = match texture.format() {
             F::Rgba32Float => texels(&bytes, |b: [u8; 16]| bytemuck::cast(b)),
-            F::Rgba16Float => texels(&bytes, |b: [u8; 8]| {
-                bytemuck::cast::<_, [u16; 4]>(b).map(|h| f16::from_bits(h).to_f32())
-            }),
+            F::Rgba16Float => texels(&bytes, |b: [u8; 8]| bytemuck::cast::<_, [u16; 4]>(b).map(|h| f16::from_bits(h).to_f32())),
             F::Rg32Float => texels(&bytes, |b: [u8; 8]| {
                 let [x, y]: [f32; 2] = bytemuck::cast(b);
                 [x, y, 0.0, 1.0]
@@ -149,9 +122,7 @@ impl Gpu {
             F::R32Uint => texels(&bytes, |b: [u8; 4]| [u32::from_ne_bytes(b) as f32, 0.0, 0.0, 1.0]),
             F::Rgba8Unorm | F::Rgba8UnormSrgb => texels(&bytes, |b: [u8; 4]| b.map(|x| f32::from(x) / 255.0)),
             other => {
-                return Err(Error::Unsupported(format!(
-                    "a texture of format {other:?} cannot be looked at"
-                )));
+                return Err(Error::Unsupported(format!("a texture of format {other:?} cannot be looked at")));
             }
         };
         LinearPicture::new(texture.width(), texture.height(), pixels)

@@ -26,11 +26,7 @@ impl Gpu {
         let [width, height] = spec.size;
         self.device.create_texture(&wgpu::TextureDescriptor {
             label: Some(spec.label),
-            size: wgpu::Extent3d {
-                width,
-                height,
-                depth_or_array_layers: 1,
-            },
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
             mip_level_count: 1,
             sample_count: spec.samples,
             dimension: wgpu::TextureDimension::D2,

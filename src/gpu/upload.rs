@@ -8,11 +8,7 @@ impl Gpu {
     #[must_use]
     pub fn upload_linear(&self, picture: &LinearPicture) -> wgpu::Texture {
         let [width, height] = picture.size();
-        let size = wgpu::Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        };
+        let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
         let texture = self.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("uploaded picture"),
             size,
@@ -26,11 +22,7 @@ impl Gpu {
         self.queue.write_texture(
             texture.as_image_copy(),
             bytemuck::cast_slice(picture.pixels()),
-            wgpu::TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(width * 16),
-                rows_per_image: None,
-            },
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width * 16), rows_per_image: None },
             size,
         );
         texture

@@ -18,10 +18,8 @@ use crate::pass::{
 use crate::sampling::{FILTERS, Filter, filter};
 use crate::shader::{Source, layout::gpu_struct, part};
 
-const SHADER: Source = Source {
-    name: "msaa",
-    parts: &[part!("common/screen.wgsl"), part!("common/color.wgsl"), part!("msaa.wgsl")],
-};
+const SHADER: Source =
+    Source { name: "msaa", parts: &[part!("common/screen.wgsl"), part!("common/color.wgsl"), part!("msaa.wgsl")] };
 
 const WEIGHTS: [&str; 3] = ["none", "luma", "max3"];
 
@@ -54,12 +52,7 @@ pub(super) const METHOD: Method = Method {
             kind: Kind::Choice(|| WEIGHTS.to_vec()),
             default: "none",
         },
-        OptionSpec {
-            name: "a2c",
-            help: "alpha to coverage for alpha-tested surfaces",
-            kind: Kind::Switch,
-            default: "off",
-        },
+        OptionSpec { name: "a2c", help: "alpha to coverage for alpha-tested surfaces", kind: Kind::Switch, default: "off" },
     ],
     configure: |options| Ok(Box::new(Msaa::new(options)?)),
     shaders: &[SHADER],
@@ -97,21 +90,13 @@ struct Msaa {
 
 impl Msaa {
     fn new(options: &Options) -> Result<Self> {
-        let samples = options
-            .word("samples")
-            .parse()
-            .map_err(|_| Error::Request("msaa: samples is no number".into()))?;
+        let samples = options.word("samples").parse().map_err(|_| Error::Request("msaa: samples is no number".into()))?;
         let weighting = WEIGHTS.iter().position(|w| *w == options.word("weight")).unwrap_or(0);
         let (name, radius_px) = (options.word("resolve"), options.number("radius"));
         let filter = filter(name)?;
         let hardware = name == "box" && radius_px.is_none() && weighting == 0;
         let footprint = (!hardware).then(|| footprint(samples, filter, radius_px.unwrap_or(filter.default_radius_px)));
-        Ok(Self {
-            samples,
-            alpha_to_coverage: options.switch("a2c"),
-            footprint,
-            weighting,
-        })
+        Ok(Self { samples, alpha_to_coverage: options.switch("a2c"), footprint, weighting })
     }
 }
 
@@ -149,17 +134,10 @@ fn footprint(samples: u32, filter: &Filter, radius_px: f64) -> Vec<Tap> {
     for y in -reach..=reach {
         for x in -reach..=reach {
             for (position, index) in standard_positions(samples).iter().zip(0..) {
-                let at = [
-                    f64::from(x) + f64::from(position[0]) / 16.0,
-                    f64::from(y) + f64::from(position[1]) / 16.0,
-                ];
+                let at = [f64::from(x) + f64::from(position[0]) / 16.0, f64::from(y) + f64::from(position[1]) / 16.0];
                 let weight = filter.weight(at, radius_px) as f32;
                 if weight != 0.0 {
-                    taps.push(Tap {
-                        offset: [x, y],
-                        index,
-                        weight,
-                    });
+                    taps.push(Tap { offset: [x, y], index, weight });
                 }
             }
         }
@@ -171,16 +149,8 @@ impl Technique for Msaa {
     fn needs(&self) -> Needs {
         // WebGPU guarantees 4 samples; other counts are the adapter's own.
         let specific = wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES;
-        let features = if self.samples == 4 {
-            wgpu::Features::empty()
-        } else {
-            specific
-        };
-        Needs {
-            samples: self.samples,
-            features,
-            ..Needs::default()
-        }
+        let features = if self.samples == 4 { wgpu::Features::empty() } else { specific };
+        Needs { samples: self.samples, features, ..Needs::default() }
     }
 
     fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
@@ -195,11 +165,7 @@ impl Technique for Msaa {
             return Ok(Box::new(HardwareResolve { draw }));
         };
         let buffer = |label, contents, usage| {
-            context.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage,
-            })
+            context.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
         let constants = [("WEIGHTING", self.weighting as f64)];
         Ok(Box::new(FilteredResolve {
@@ -212,14 +178,7 @@ impl Technique for Msaa {
                 bytemuck::bytes_of(&ResolveUniforms { exposure: 1.0 }),
                 wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             ),
-            resolve: ScreenPass::new(
-                context.device,
-                "msaa resolve",
-                &SHADER,
-                "fs_resolve",
-                &constants,
-                context.output_format,
-            ),
+            resolve: ScreenPass::new(context.device, "msaa resolve", &SHADER, "fs_resolve", &constants, context.output_format),
         }))
     }
 }
@@ -240,10 +199,7 @@ impl Pass for HardwareResolve {
             view: inputs.color,
             depth_slice: None,
             resolve_target: Some(output),
-            ops: wgpu::Operations {
-                load: wgpu::LoadOp::Load,
-                store: wgpu::StoreOp::Store,
-            },
+            ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
         };
         let descriptor = wgpu::RenderPassDescriptor {
             label: Some("msaa resolve"),
@@ -271,9 +227,7 @@ impl Pass for FilteredResolve {
     }
 
     fn record(&mut self, recorder: &mut Recorder<'_>, _: u32, inputs: &Inputs<'_>, output: &wgpu::TextureView) {
-        let uniforms = ResolveUniforms {
-            exposure: inputs.frame.exposure,
-        };
+        let uniforms = ResolveUniforms { exposure: inputs.frame.exposure };
         self.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
         let bindings = vec![
             Binding::Texture(inputs.color.clone()),

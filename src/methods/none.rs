@@ -28,10 +28,7 @@ impl Technique for None {
 
 impl Pass for None {
     fn next_draw(&mut self, k: u32) -> Option<Draw> {
-        (k == 0).then(|| Draw {
-            target: Target::Output,
-            ..Draw::default()
-        })
+        (k == 0).then(|| Draw { target: Target::Output, ..Draw::default() })
     }
 
     fn record(&mut self, _: &mut Recorder<'_>, _: u32, _: &Inputs<'_>, _: &wgpu::TextureView) {}

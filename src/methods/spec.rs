@@ -31,20 +31,13 @@ impl Spec {
     pub fn parse(text: &str) -> Result<Self> {
         let text = text.trim();
         let stages: Vec<Stage> = text.split('+').map(Stage::parse).collect::<Result<_>>()?;
-        if let Some(late) = stages
-            .iter()
-            .skip(1)
-            .find(|stage| stage.technique.needs().role == Role::Draws)
-        {
+        if let Some(late) = stages.iter().skip(1).find(|stage| stage.technique.needs().role == Role::Draws) {
             return Err(Error::Request(format!(
                 "'{text}': {} draws the scene itself and can only come first in a combination",
                 late.method.name
             )));
         }
-        Ok(Self {
-            text: text.to_owned(),
-            stages,
-        })
+        Ok(Self { text: text.to_owned(), stages })
     }
 
     /// What the first stage needs: it is the one that draws.
@@ -71,10 +64,7 @@ impl Stage {
             unknown("method", name, &names)
         })?;
         let options = Options::parse(method.name, method.options, options)?;
-        Ok(Self {
-            method,
-            technique: (method.configure)(&options)?,
-        })
+        Ok(Self { method, technique: (method.configure)(&options)? })
     }
 }
 
@@ -88,22 +78,10 @@ mod tests {
 
     #[test]
     fn specs_are_read() {
-        for text in [
-            "none",
-            "ssaa",
-            "ssaa:spp=64",
-            "ssaa:spp=7,pattern=r2,filter=mitchell,radius=1.5",
-            "msaa:samples=4,a2c=on",
-        ] {
+        for text in ["none", "ssaa", "ssaa:spp=64", "ssaa:spp=7,pattern=r2,filter=mitchell,radius=1.5", "msaa:samples=4,a2c=on"] {
             assert_eq!(Spec::parse(text).expect(text).to_string(), text);
         }
-        assert_eq!(
-            Spec::parse(" ssaa : spp = 4 ").expect("spaces are fine").stages[0]
-                .technique
-                .needs()
-                .samples_per_pixel,
-            4
-        );
+        assert_eq!(Spec::parse(" ssaa : spp = 4 ").expect("spaces are fine").stages[0].technique.needs().samples_per_pixel, 4);
     }
 
     #[test]
@@ -126,20 +104,13 @@ mod tests {
 
     #[test]
     fn names_of_methods_and_options_are_unique_and_plain() {
-        let plain = |name: &str| {
-            name.chars()
-                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "-_".contains(c))
-        };
+        let plain = |name: &str| name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "-_".contains(c));
         for (i, method) in METHODS.iter().enumerate() {
             assert!(plain(method.name) && !method.summary.is_empty(), "{}", method.name);
             assert!(METHODS[..i].iter().all(|other| other.name != method.name), "{}", method.name);
             for (k, option) in method.options.iter().enumerate() {
                 assert!(plain(option.name) && !option.help.is_empty(), "{}", option.name);
-                assert!(
-                    method.options[..k].iter().all(|other| other.name != option.name),
-                    "{}",
-                    option.name
-                );
+                assert!(method.options[..k].iter().all(|other| other.name != option.name), "{}", option.name);
             }
             // Defaults parse and configure.
             Spec::parse(method.name).expect(method.name);

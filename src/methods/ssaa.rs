@@ -18,22 +18,14 @@ use crate::pass::{
 use crate::sampling::{FILTERS, MAX_POINTS, PATTERNS, filter, pattern, weighted_offsets};
 use crate::shader::{Source, part};
 
-const SHADER: Source = Source {
-    name: "ssaa",
-    parts: &[part!("common/screen.wgsl"), part!("ssaa.wgsl")],
-};
+const SHADER: Source = Source { name: "ssaa", parts: &[part!("common/screen.wgsl"), part!("ssaa.wgsl")] };
 
 pub(super) const METHOD: Method = Method {
     name: "ssaa",
     summary: "N jittered draws, accumulated in f32 under any pattern and filter",
     source: "Haeberli and Akeley 1990, The Accumulation Buffer",
     options: &[
-        OptionSpec {
-            name: "spp",
-            help: "samples a pixel",
-            kind: Kind::Integer { min: 1, max: MAX_POINTS },
-            default: "16",
-        },
+        OptionSpec { name: "spp", help: "samples a pixel", kind: Kind::Integer { min: 1, max: MAX_POINTS }, default: "16" },
         OptionSpec {
             name: "pattern",
             help: "where the samples lie",
@@ -83,9 +75,7 @@ impl Ssaa {
             filter,
             radius_px,
         );
-        let (sum, size) = samples
-            .iter()
-            .fold((0.0, 0.0), |(sum, size), s| (sum + s.weight, size + s.weight.abs()));
+        let (sum, size) = samples.iter().fold((0.0, 0.0), |(sum, size), s| (sum + s.weight, size + s.weight.abs()));
         // With few samples under negative lobes the weights can cancel, and dividing by their sum would blow up the noise.
         if sum <= 0.05 * size {
             return Err(Error::Request(format!(
@@ -99,10 +89,7 @@ impl Ssaa {
         let scale = samples.len() as f64 / sum;
         let jitters = samples
             .iter()
-            .map(|s| Jitter {
-                offset_px: s.offset_px.map(|x| x as f32),
-                weight: (s.weight * scale) as f32,
-            })
+            .map(|s| Jitter { offset_px: s.offset_px.map(|x| x as f32), weight: (s.weight * scale) as f32 })
             .collect();
         Ok(Self { jitters })
     }
@@ -124,14 +111,7 @@ impl Technique for Ssaa {
             device: context.device.clone(),
             jitters: Arc::clone(&self.jitters),
             halves: ["ssaa half-a", "ssaa half-b"].map(|label| accumulator(context, label)),
-            normalize: ScreenPass::new(
-                context.device,
-                "ssaa normalize",
-                &SHADER,
-                "fs_normalize",
-                &[],
-                context.output_format,
-            ),
+            normalize: ScreenPass::new(context.device, "ssaa normalize", &SHADER, "fs_normalize", &[], context.output_format),
         }))
     }
 }
@@ -140,11 +120,7 @@ fn accumulator(context: &Context<'_>, label: &str) -> wgpu::Texture {
     let [width, height] = context.size;
     context.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
-        size: wgpu::Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        },
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
@@ -167,11 +143,7 @@ impl Accumulation {
     fn request(&self, k: u32) -> Option<(usize, bool, &[Jitter])> {
         let (a, b) = self.jitters.split_at(self.jitters.len().div_ceil(2));
         let requests_a = a.len().div_ceil(JITTERS_A_DRAW);
-        let (half, jitters, k) = if (k as usize) < requests_a {
-            (0, a, k as usize)
-        } else {
-            (1, b, k as usize - requests_a)
-        };
+        let (half, jitters, k) = if (k as usize) < requests_a { (0, a, k as usize) } else { (1, b, k as usize - requests_a) };
         let chunk = jitters.chunks(JITTERS_A_DRAW).nth(k)?;
         Some((half, k == 0, chunk))
     }
@@ -184,15 +156,8 @@ impl Accumulation {
 impl Pass for Accumulation {
     fn next_draw(&mut self, k: u32) -> Option<Draw> {
         let (half, clear, jitters) = self.request(k)?;
-        let sum = Sum {
-            view: self.views()[half].clone(),
-            clear,
-        };
-        Some(Draw {
-            jitters: jitters.to_vec(),
-            target: Target::Sum(sum),
-            ..Draw::default()
-        })
+        let sum = Sum { view: self.views()[half].clone(), clear };
+        Some(Draw { jitters: jitters.to_vec(), target: Target::Sum(sum), ..Draw::default() })
     }
 
     fn record(&mut self, recorder: &mut Recorder<'_>, k: u32, _: &Inputs<'_>, output: &wgpu::TextureView) {
@@ -209,9 +174,6 @@ impl Pass for Accumulation {
     }
 
     fn target_bytes(&self) -> u64 {
-        self.halves
-            .iter()
-            .map(|t| u64::from(t.width()) * u64::from(t.height()) * 16)
-            .sum()
+        self.halves.iter().map(|t| u64::from(t.width()) * u64::from(t.height()) * 16).sum()
     }
 }

@@ -18,13 +18,7 @@ pub struct Draw {
 
 impl Default for Draw {
     fn default() -> Self {
-        Self {
-            jitters: vec![Jitter::CENTRE],
-            samples: 1,
-            mask: None,
-            alpha_to_coverage: false,
-            target: Target::Input,
-        }
+        Self { jitters: vec![Jitter::CENTRE], samples: 1, mask: None, alpha_to_coverage: false, target: Target::Input }
     }
 }
 
@@ -39,10 +33,7 @@ pub struct Jitter {
 
 impl Jitter {
     /// The pixel's centre, weight 1.
-    pub const CENTRE: Self = Self {
-        offset_px: [0.0; 2],
-        weight: 1.0,
-    };
+    pub const CENTRE: Self = Self { offset_px: [0.0; 2], weight: 1.0 };
 }
 
 /// Where a draw goes.

@@ -26,7 +26,7 @@ pub(crate) use screen::{Binding, ScreenPass};
 use std::fmt::Debug;
 
 use crate::error::{Error, Result};
-use crate::shader::{Source, layout::Layout};
+use crate::shader::{Layout, Source};
 
 /// A way to anti-alias, as the registry lists it.
 #[derive(Debug)]

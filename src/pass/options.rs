@@ -59,34 +59,22 @@ impl Kind {
     }
 
     fn parse(&self, method: &str, option: &str, text: &str) -> Result<Value> {
-        let out_of_range = || {
-            Error::Request(format!(
-                "{method}: {option}={text} is out of range; {option} takes {}",
-                self.range()
-            ))
-        };
+        let out_of_range =
+            || Error::Request(format!("{method}: {option}={text} is out of range; {option} takes {}", self.range()));
         let number = |min: f64, max: f64| {
-            text.parse()
-                .ok()
-                .filter(|x| (min..=max).contains(x))
-                .map(Value::Number)
-                .ok_or_else(out_of_range)
+            text.parse().ok().filter(|x| (min..=max).contains(x)).map(Value::Number).ok_or_else(out_of_range)
         };
         match self {
-            Self::Integer { min, max } => text
-                .parse()
-                .ok()
-                .filter(|x| (min..=max).contains(&x))
-                .map(Value::Integer)
-                .ok_or_else(out_of_range),
+            Self::Integer { min, max } => {
+                text.parse().ok().filter(|x| (min..=max).contains(&x)).map(Value::Integer).ok_or_else(out_of_range)
+            }
             Self::Number { min, max } => number(*min, *max),
             Self::NumberOrAuto { .. } if text == "auto" => Ok(Value::Auto),
             Self::NumberOrAuto { min, max } => number(*min, *max),
             Self::Choice(names) => {
                 let names = names();
                 let name = names.iter().find(|name| **name == text);
-                name.map(|name| Value::Word(name))
-                    .ok_or_else(|| unknown(&format!("{method}: {option}"), text, &names))
+                name.map(|name| Value::Word(name)).ok_or_else(|| unknown(&format!("{method}: {option}"), text, &names))
             }
             Self::Switch => match text {
                 "on" => Ok(Value::Switch(true)),
@@ -121,9 +109,7 @@ impl Options {
         let mut given = Vec::new();
         for assignment in text.map(|t| t.split(',')).into_iter().flatten() {
             let Some((key, value)) = assignment.split_once('=') else {
-                return Err(Error::Request(format!(
-                    "{method}: '{assignment}' is no option; write it as NAME=VALUE"
-                )));
+                return Err(Error::Request(format!("{method}: '{assignment}' is no option; write it as NAME=VALUE")));
             };
             let (key, value) = (key.trim(), value.trim());
             let Some(spec) = specs.iter().find(|spec| spec.name == key) else {
@@ -140,14 +126,9 @@ impl Options {
         }
         let value_of = |spec: &OptionSpec| {
             let explicit = given.iter().find(|(name, _)| *name == spec.name).map(|(_, value)| *value);
-            Ok((
-                spec.name,
-                explicit.map_or_else(|| spec.kind.parse(method, spec.name, spec.default), Ok)?,
-            ))
+            Ok((spec.name, explicit.map_or_else(|| spec.kind.parse(method, spec.name, spec.default), Ok)?))
         };
-        Ok(Self {
-            values: specs.iter().map(value_of).collect::<Result<_>>()?,
-        })
+        Ok(Self { values: specs.iter().map(value_of).collect::<Result<_>>()? })
     }
 
     fn value(&self, name: &str) -> Option<Value> {

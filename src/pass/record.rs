@@ -25,25 +25,17 @@ impl<'a> Recorder<'a> {
     /// With a clock around each pass.
     #[must_use]
     pub fn timed(encoder: &'a mut wgpu::CommandEncoder, timer: &'a mut dyn Timer) -> Self {
-        Self {
-            encoder,
-            timer: Some(timer),
-        }
+        Self { encoder, timer: Some(timer) }
     }
 
     /// One render pass.
     pub fn render(&mut self, descriptor: &wgpu::RenderPassDescriptor<'_>, record: impl FnOnce(&mut wgpu::RenderPass<'_>)) {
-        self.clocked(descriptor.label.unwrap_or_default(), |encoder| {
-            record(&mut encoder.begin_render_pass(descriptor))
-        });
+        self.clocked(descriptor.label.unwrap_or_default(), |encoder| record(&mut encoder.begin_render_pass(descriptor)));
     }
 
     /// One compute pass.
     pub fn compute(&mut self, label: &str, record: impl FnOnce(&mut wgpu::ComputePass<'_>)) {
-        let descriptor = wgpu::ComputePassDescriptor {
-            label: Some(label),
-            timestamp_writes: None,
-        };
+        let descriptor = wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: None };
         self.clocked(label, |encoder| record(&mut encoder.begin_compute_pass(&descriptor)));
     }
 

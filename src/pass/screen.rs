@@ -38,10 +38,7 @@ impl ScreenPass {
         target: wgpu::TextureFormat,
     ) -> Self {
         let module = source.module(device);
-        let compilation_options = wgpu::PipelineCompilationOptions {
-            constants,
-            ..Default::default()
-        };
+        let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(label),
             layout: None,
@@ -63,11 +60,7 @@ impl ScreenPass {
             multiview_mask: None,
             cache: None,
         });
-        Self {
-            label,
-            pipeline,
-            bound: None,
-        }
+        Self { label, pipeline, bound: None }
     }
 
     /// Records the pass over the whole of `output`.
@@ -88,16 +81,10 @@ impl ScreenPass {
             depth_slice: None,
             resolve_target: None,
             // Every pixel is written: clearing is the cheapest way to say that nothing is kept.
-            ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                store: wgpu::StoreOp::Store,
-            },
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
         };
-        let descriptor = wgpu::RenderPassDescriptor {
-            label: Some(self.label),
-            color_attachments: &[Some(attachment)],
-            ..Default::default()
-        };
+        let descriptor =
+            wgpu::RenderPassDescriptor { label: Some(self.label), color_attachments: &[Some(attachment)], ..Default::default() };
         recorder.render(&descriptor, |pass| {
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, group, &[]);
@@ -106,14 +93,8 @@ impl ScreenPass {
     }
 
     fn bind(&self, device: &wgpu::Device, bindings: &[Binding]) -> wgpu::BindGroup {
-        let entries: Vec<_> = bindings
-            .iter()
-            .zip(0..)
-            .map(|(b, binding)| wgpu::BindGroupEntry {
-                binding,
-                resource: b.resource(),
-            })
-            .collect();
+        let entries: Vec<_> =
+            bindings.iter().zip(0..).map(|(b, binding)| wgpu::BindGroupEntry { binding, resource: b.resource() }).collect();
         device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some(self.label),
             layout: &self.pipeline.get_bind_group_layout(0),

@@ -36,12 +36,7 @@ pub const FILTERS: &[Filter] = &[
         default_radius_px: 0.5,
         profile: |_, _| 1.0,
     },
-    Filter {
-        name: "tent",
-        summary: "falls linearly to zero at the radius",
-        default_radius_px: 1.0,
-        profile: |x, r| 1.0 - x / r,
-    },
+    Filter { name: "tent", summary: "falls linearly to zero at the radius", default_radius_px: 1.0, profile: |x, r| 1.0 - x / r },
     Filter {
         name: "gaussian",
         summary: "a bell of standard deviation radius/3, lowered to reach zero at the radius",
@@ -145,9 +140,7 @@ mod tests {
         for name in ["b-spline", "mitchell", "catmull-rom"] {
             let f = filter(name).expect("exists");
             for phase in [0.0, 0.1, 0.37, 0.5] {
-                let sum: f64 = (-3..=3)
-                    .map(|i| (f.profile)((f64::from(i) + phase).abs().min(2.0), 2.0))
-                    .sum();
+                let sum: f64 = (-3..=3).map(|i| (f.profile)((f64::from(i) + phase).abs().min(2.0), 2.0)).sum();
                 assert!((sum / 6.0 - 1.0).abs() < 1e-12, "{name} {phase}: {sum}");
             }
         }
@@ -157,15 +150,9 @@ mod tests {
     fn sharp_filters_have_negative_lobes_and_soft_ones_none() {
         let lowest = |name: &str| {
             let f = filter(name).expect("exists");
-            (0..100)
-                .map(|i| (f.profile)(f64::from(i) * 0.01 * f.default_radius_px, f.default_radius_px))
-                .fold(0.0, f64::min)
+            (0..100).map(|i| (f.profile)(f64::from(i) * 0.01 * f.default_radius_px, f.default_radius_px)).fold(0.0, f64::min)
         };
         assert!(["mitchell", "catmull-rom", "lanczos"].iter().all(|n| lowest(n) < -0.01));
-        assert!(
-            ["box", "tent", "gaussian", "blackman-harris", "b-spline"]
-                .iter()
-                .all(|n| lowest(n) > -1e-4)
-        );
+        assert!(["box", "tent", "gaussian", "blackman-harris", "b-spline"].iter().all(|n| lowest(n) > -1e-4));
     }
 }

@@ -34,10 +34,7 @@ pub fn weighted_offsets(pattern: &Pattern, n: u32, seed: u32, filter: &Filter, r
     halves
         .map(|p| {
             let offset_px = p.map(|u| (2.0 * u - 1.0) * radius_px);
-            WeightedOffset {
-                offset_px,
-                weight: filter.weight(offset_px, radius_px),
-            }
+            WeightedOffset { offset_px, weight: filter.weight(offset_px, radius_px) }
         })
         .collect()
 }
@@ -51,18 +48,11 @@ mod tests {
         let unit = filter("box").expect("a shipped filter");
         for pattern in PATTERNS {
             let samples = weighted_offsets(pattern, 1000, 0, unit, 0.5);
-            assert!(
-                samples
-                    .iter()
-                    .all(|s| s.weight == 1.0 && s.offset_px.iter().all(|o| o.abs() <= 0.5))
-            );
+            assert!(samples.iter().all(|s| s.weight == 1.0 && s.offset_px.iter().all(|o| o.abs() <= 0.5)));
             for half in samples.chunks(500) {
                 // Every quarter of the pixel has its quarter of the half.
                 for quarter in [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]] {
-                    let count = half
-                        .iter()
-                        .filter(|s| (0..2).all(|k| s.offset_px[k] * quarter[k] > 0.0))
-                        .count();
+                    let count = half.iter().filter(|s| (0..2).all(|k| s.offset_px[k] * quarter[k] > 0.0)).count();
                     assert!((count as f64 - 125.0).abs() < 30.0, "{}: {count}", pattern.name);
                 }
             }

@@ -113,10 +113,7 @@ fn regular(n: u32, _seed: u32) -> Vec<[f64; 2]> {
 
 fn rotated(n: u32, _seed: u32) -> Vec<[f64; 2]> {
     in_cells(n, |[row, rows, column, columns]| {
-        [
-            (f64::from(row) + 0.5) / f64::from(rows),
-            1.0 - (f64::from(column) + 0.5) / f64::from(columns),
-        ]
+        [1.0 - (f64::from(row) + 0.5) / f64::from(rows), (f64::from(column) + 0.5) / f64::from(columns)]
     })
 }
 
@@ -129,9 +126,7 @@ fn jittered(n: u32, seed: u32) -> Vec<[f64; 2]> {
 }
 
 fn random(n: u32, seed: u32) -> Vec<[f64; 2]> {
-    (0..u64::from(n))
-        .map(|i| [uniform(seed, 2 * i), uniform(seed, 2 * i + 1)])
-        .collect()
+    (0..u64::from(n)).map(|i| [uniform(seed, 2 * i), uniform(seed, 2 * i + 1)]).collect()
 }
 
 fn halton(n: u32, _seed: u32) -> Vec<[f64; 2]> {
@@ -141,24 +136,17 @@ fn halton(n: u32, _seed: u32) -> Vec<[f64; 2]> {
 fn r2(n: u32, _seed: u32) -> Vec<[f64; 2]> {
     // The plastic number, the real root of x^3 = x + 1.
     const PLASTIC: f64 = 1.324_717_957_244_746;
-    (0..n)
-        .map(|i| [1.0 / PLASTIC, 1.0 / (PLASTIC * PLASTIC)].map(|step| (0.5 + f64::from(i + 1) * step).fract()))
-        .collect()
+    (0..n).map(|i| [1.0 / PLASTIC, 1.0 / (PLASTIC * PLASTIC)].map(|step| (0.5 + f64::from(i + 1) * step).fract())).collect()
 }
 
 /// A net in two dimensions: x the middles of n strata, y a binary fraction.
 fn net(n: u32, second: impl Fn(u32) -> u32) -> Vec<[f64; 2]> {
-    (0..n)
-        .map(|i| [(f64::from(i) + 0.5) / f64::from(n), fraction(second(i))])
-        .collect()
+    (0..n).map(|i| [(f64::from(i) + 0.5) / f64::from(n), fraction(second(i))]).collect()
 }
 
 /// A net whose y is a multiple of 1/n, moved to the middles of its strata: the mean of all points is the pixel's centre.
 fn centred_net(n: u32, second: impl Fn(u32) -> u32) -> Vec<[f64; 2]> {
-    net(n, second)
-        .into_iter()
-        .map(|[x, y]| [x, (y + 0.5 / f64::from(n)).fract()])
-        .collect()
+    net(n, second).into_iter().map(|[x, y]| [x, (y + 0.5 / f64::from(n)).fract()]).collect()
 }
 
 fn hammersley(n: u32, _seed: u32) -> Vec<[f64; 2]> {
@@ -182,11 +170,7 @@ mod tests {
         let n = points.len() as f64;
         let pairs: f64 = points
             .iter()
-            .flat_map(|a| {
-                points
-                    .iter()
-                    .map(move |b| (0..2).map(|k| a[k].min(b[k]) * (1.0 - a[k].max(b[k]))).product::<f64>())
-            })
+            .flat_map(|a| points.iter().map(move |b| (0..2).map(|k| a[k].min(b[k]) * (1.0 - a[k].max(b[k]))).product::<f64>()))
             .sum();
         let singles: f64 = points.iter().map(|p| p.iter().map(|x| x * (1.0 - x)).product::<f64>()).sum();
         (4.0 / (n * n) * pairs - 2.0 / n * singles + 4.0 / 144.0).sqrt()
@@ -230,11 +214,8 @@ mod tests {
     }
 
     #[test]
-    fn four_rotated_samples_are_the_rotated_grid() {
-        assert_eq!(
-            rotated(4, 0),
-            [[0.125, 0.375], [0.625, 0.125], [0.375, 0.875], [0.875, 0.625]]
-        );
+    fn four_rotated_samples_are_the_standard_positions_of_hardware() {
+        assert_eq!(rotated(4, 0), [[0.375, 0.125], [0.875, 0.375], [0.125, 0.625], [0.625, 0.875]]);
     }
 
     #[test]
@@ -255,11 +236,6 @@ mod tests {
 
     #[test]
     fn an_unknown_pattern_is_named() {
-        assert!(
-            pattern("haltom")
-                .expect_err("no such pattern")
-                .to_string()
-                .contains("'halton'")
-        );
+        assert!(pattern("haltom").expect_err("no such pattern").to_string().contains("'halton'"));
     }
 }

@@ -17,9 +17,7 @@ pub fn radical_inverse(base: u32, mut index: u32) -> f64 {
 /// index toggles the k + 1 leading bits.
 #[must_use]
 pub fn larcher_pillichshammer(index: u32) -> u32 {
-    (0..32)
-        .filter(|k| index >> k & 1 == 1)
-        .fold(0, |bits, k| bits ^ !(u32::MAX.checked_shr(k + 1).unwrap_or(0)))
+    (0..32).filter(|k| index >> k & 1 == 1).fold(0, |bits, k| bits ^ !(u32::MAX.checked_shr(k + 1).unwrap_or(0)))
 }
 
 /// Owen's nested uniform scrambling in base 2 (1995) of a binary fraction of 2^32: each bit is flipped by a coin that depends on
@@ -81,10 +79,7 @@ mod tests {
 
     #[test]
     fn radical_inverses_mirror_the_digits() {
-        assert_eq!(
-            [1, 2, 3, 4, 6].map(|i| radical_inverse(2, i)),
-            [0.5, 0.25, 0.75, 0.125, 0.375]
-        );
+        assert_eq!([1, 2, 3, 4, 6].map(|i| radical_inverse(2, i)), [0.5, 0.25, 0.75, 0.125, 0.375]);
         assert!((radical_inverse(3, 5) - (2.0 / 3.0 + 1.0 / 9.0)).abs() < 1e-15);
     }
 

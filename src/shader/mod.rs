@@ -4,6 +4,10 @@
 //! from Rust to WGSL are declared with `gpu_struct!`, and a test holds each against the module that reads it.
 
 pub(crate) mod layout;
+#[cfg(all(test, feature = "workbench"))]
+mod tests;
+
+pub use layout::{Field, Layout};
 
 /// A WGSL module made of files.
 #[derive(Debug, Clone, Copy)]
@@ -26,10 +30,7 @@ pub struct Part {
 /// `part!("present.wgsl")`: a file under `shaders/`, embedded.
 macro_rules! part {
     ($file:literal) => {
-        $crate::shader::Part {
-            file: $file,
-            text: include_str!(concat!("../../shaders/", $file)),
-        }
+        $crate::shader::Part { file: $file, text: include_str!(concat!("../../shaders/", $file)) }
     };
 }
 pub(crate) use part;
@@ -66,21 +67,12 @@ impl Source {
 }
 
 #[cfg(test)]
-mod tests {
+mod places {
     use super::*;
 
     const TWO: Source = Source {
         name: "two",
-        parts: &[
-            Part {
-                file: "a.wgsl",
-                text: "one\ntwo\n",
-            },
-            Part {
-                file: "b.wgsl",
-                text: "three\nfour",
-            },
-        ],
+        parts: &[Part { file: "a.wgsl", text: "one\ntwo\n" }, Part { file: "b.wgsl", text: "three\nfour" }],
     };
 
     #[test]

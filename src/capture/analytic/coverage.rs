@@ -63,12 +63,7 @@ struct Canvas {
 impl Canvas {
     fn new(background: Vec3, size: [u32; 2]) -> Self {
         let background = background.as_dvec3();
-        Self {
-            size,
-            background,
-            pixels: vec![background; size[0] as usize * size[1] as usize],
-            covers: HashMap::new(),
-        }
+        Self { size, background, pixels: vec![background; size[0] as usize * size[1] as usize], covers: HashMap::new() }
     }
 
     fn add(&mut self, polygon: &Polygon, color: Vec3) -> Answer<()> {
@@ -135,11 +130,7 @@ pub fn edges_crossing(scene: &Scene, frame: u32, size: [u32; 2]) -> crate::Resul
 fn touched_in_row([a, b]: [DVec2; 2], y: u32, width: u32) -> std::ops::Range<u32> {
     let along = b - a;
     let at = |level: f64| {
-        if along.y == 0.0 {
-            [0.0, 1.0]
-        } else {
-            [((level - a.y) / along.y).clamp(0.0, 1.0); 2]
-        }
+        if along.y == 0.0 { [0.0, 1.0] } else { [((level - a.y) / along.y).clamp(0.0, 1.0); 2] }
     };
     let (first, last) = (at(f64::from(y)), at(f64::from(y) + 1.0));
     touched(&[a + along * first[0], a + along * last[1]], 0, width)
@@ -160,9 +151,5 @@ fn outlines(instance: &Instance) -> Vec<[DVec3; 2]> {
             edges[index].1 += 1;
         }
     }
-    edges
-        .into_iter()
-        .filter(|(_, count)| *count == 1)
-        .map(|(edge, _)| edge)
-        .collect()
+    edges.into_iter().filter(|(_, count)| *count == 1).map(|(edge, _)| edge).collect()
 }

@@ -20,20 +20,10 @@ use crate::scene::{Pattern, Scene};
 /// [`Error::Request`] that says why the scene has no exact answer.
 pub fn exact(scene: &Scene, frame: u32, size: [u32; 2]) -> Result<LinearPicture> {
     let drawn = scene.frame(frame, size)?;
-    let zone_plate = drawn
-        .instances
-        .iter()
-        .any(|i| matches!(scene.materials[i.material].pattern, Pattern::ZonePlate { .. }));
-    let answer = if zone_plate {
-        zone_plate::exact(scene, &drawn, size)
-    } else {
-        coverage::exact(scene, &drawn, size)
-    };
+    let zone_plate = drawn.instances.iter().any(|i| matches!(scene.materials[i.material].pattern, Pattern::ZonePlate { .. }));
+    let answer = if zone_plate { zone_plate::exact(scene, &drawn, size) } else { coverage::exact(scene, &drawn, size) };
     answer.map_err(|why| {
-        Error::Request(format!(
-            "{} has no analytic reference: {why}; edges, far, wires and zoneplate have one",
-            scene.name
-        ))
+        Error::Request(format!("{} has no analytic reference: {why}; edges, far, wires and zoneplate have one", scene.name))
     })
 }
 
@@ -53,9 +43,6 @@ fn screen_points(
         if clip.w <= 0.0 || clip.z > clip.w || clip.z < 0.0 {
             return Err("a surface crosses the near or far plane");
         }
-        Ok(glam::DVec2::new(
-            (0.5 + 0.5 * clip.x / clip.w) * width,
-            (0.5 - 0.5 * clip.y / clip.w) * height,
-        ))
+        Ok(glam::DVec2::new((0.5 + 0.5 * clip.x / clip.w) * width, (0.5 - 0.5 * clip.y / clip.w) * height))
     }
 }

@@ -32,10 +32,7 @@ pub(super) fn signed_area(polygon: &[DVec2]) -> f64 {
     let Some(&origin) = polygon.first() else {
         return 0.0;
     };
-    0.5 * polygon
-        .windows(2)
-        .map(|w| (w[0] - origin).perp_dot(w[1] - origin))
-        .sum::<f64>()
+    0.5 * polygon.windows(2).map(|w| (w[0] - origin).perp_dot(w[1] - origin)).sum::<f64>()
 }
 
 /// Area that two convex polygons share.
@@ -54,9 +51,7 @@ mod tests {
     use super::*;
 
     fn square(x: f64, y: f64, side: f64) -> Polygon {
-        [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)]
-            .map(|(u, v)| DVec2::new(x + u, y + v))
-            .to_vec()
+        [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)].map(|(u, v)| DVec2::new(x + u, y + v)).to_vec()
     }
 
     #[test]

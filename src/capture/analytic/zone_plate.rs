@@ -16,11 +16,8 @@ pub(super) fn exact(scene: &Scene, frame: &Frame, size: [u32; 2]) -> Answer<Line
         return Err("the zone plate is lit");
     };
     let axes = uv_axes(instance, frame, size)?;
-    let [columns, rows] = [0, 1].map(|axis| {
-        (0..size[axis])
-            .map(|i| mean_phasor(f64::from(phase), axes[axis], f64::from(i)))
-            .collect::<Vec<_>>()
-    });
+    let [columns, rows] =
+        [0, 1].map(|axis| (0..size[axis]).map(|i| mean_phasor(f64::from(phase), axes[axis], f64::from(i))).collect::<Vec<_>>());
     let base = material.base_color.truncate().as_dvec3();
     let pixels = rows.iter().flat_map(|row| {
         columns.iter().map(move |column| {
@@ -72,10 +69,7 @@ fn axis_of([a, b, c]: [DVec2; 3], values: [f64; 3], axis: usize) -> Answer<Axis>
     if !gradient.is_finite() || gradient[1 - axis].abs() > 1e-9 * gradient[axis].abs() {
         return Err("the zone plate is turned");
     }
-    Ok(Axis {
-        start: values[0] - gradient[axis] * a[axis],
-        step: gradient[axis],
-    })
+    Ok(Axis { start: values[0] - gradient[axis] * a[axis], step: gradient[axis] })
 }
 
 /// Mean of (cos, sin) of phase u^2 over pixel `i`.
