@@ -9,10 +9,8 @@ use crate::capture::Cache as References;
 
 /// Show or clear the cache of references
 #[derive(Debug, Args)]
-#[command(
-    after_help = "The folder is $DEJAG_CACHE_DIR, or else `dejag` in the user's cache folder. It holds at most 2 GiB; \
-the least recently used references go first.\n\nExamples:\n  dejag cache\n  dejag cache --clear"
-)]
+#[command(after_help = "The folder is $DEJAG_CACHE_DIR, or else `dejag` in the user's cache folder. It holds at most 2 GiB; \
+the least recently used references go first.\n\nExamples:\n  dejag cache\n  dejag cache --clear")]
 pub(super) struct Cache {
     /// Remove every reference
     #[arg(long)]
@@ -29,18 +27,10 @@ impl Cache {
         let megabytes = |bytes: u64| bytes as f64 / 1e6;
         if self.clear {
             let (entries, bytes) = cache.clear()?;
-            output::print(&format!(
-                "{}: removed {entries} references, {:.1} MB",
-                folder.display(),
-                megabytes(bytes)
-            ))?;
+            output::print(&format!("{}: removed {entries} references, {:.1} MB", folder.display(), megabytes(bytes)))?;
         } else {
             let (entries, bytes) = cache.usage();
-            output::print(&format!(
-                "{}: {entries} references, {:.1} MB",
-                folder.display(),
-                megabytes(bytes)
-            ))?;
+            output::print(&format!("{}: {entries} references, {:.1} MB", folder.display(), megabytes(bytes)))?;
         }
         Ok(ExitCode::SUCCESS)
     }

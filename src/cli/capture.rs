@@ -67,11 +67,7 @@ impl Capture {
             ("frame", &frame),
             ("adapter", &card),
         ];
-        let depth = if self.bits == "16" {
-            BitDepth::Sixteen
-        } else {
-            BitDepth::Eight
-        };
+        let depth = if self.bits == "16" { BitDepth::Sixteen } else { BitDepth::Eight };
         output::save(&view, &self.output, format, depth, &metadata)?;
         bar.finish();
         if !self.drawing.quiet {

@@ -44,10 +44,7 @@ fn examination(gpu: &Gpu) -> Result<String> {
     line("methods:".into())?;
     for method in METHODS {
         let spec = Spec::parse(method.name)?;
-        let verdict = match spec
-            .first_needs()
-            .check(method.name, gpu.device.features(), &gpu.sample_counts())
-        {
+        let verdict = match spec.first_needs().check(method.name, gpu.device.features(), &gpu.sample_counts()) {
             Ok(()) => "runs".into(),
             Err(error) => format!("cannot run: {error}"),
         };

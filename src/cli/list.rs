@@ -37,19 +37,15 @@ enum What {
 impl List {
     pub(super) fn run(&self) -> anyhow::Result<ExitCode> {
         let entries = match self.what {
-            What::Scenes => SHIPPED
-                .iter()
-                .map(|s| json!({ "name": s.name, "about": s.about() }))
-                .collect(),
+            What::Scenes => SHIPPED.iter().map(|s| json!({ "name": s.name, "about": s.about() })).collect(),
             What::Methods => methods(),
             What::Filters => FILTERS
                 .iter()
                 .map(|f| json!({ "name": f.name, "about": f.summary, "default radius in pixels": f.default_radius_px }))
                 .collect(),
-            What::Patterns => PATTERNS
-                .iter()
-                .map(|p| json!({ "name": p.name, "about": p.summary, "uses the seed": p.seeded }))
-                .collect(),
+            What::Patterns => {
+                PATTERNS.iter().map(|p| json!({ "name": p.name, "about": p.summary, "uses the seed": p.seeded })).collect()
+            }
             What::Metrics => METRICS
                 .iter()
                 .map(|m| {
@@ -59,11 +55,7 @@ impl List {
                 .collect(),
             What::Adapters => adapters().iter().map(|a| adapter(&Card::of(&a.get_info()))).collect(),
         };
-        let text = if self.json {
-            serde_json::to_string_pretty(&entries)?
-        } else {
-            plain(&entries)
-        };
+        let text = if self.json { serde_json::to_string_pretty(&entries)? } else { plain(&entries) };
         output::print(&text)?;
         Ok(ExitCode::SUCCESS)
     }
@@ -97,12 +89,7 @@ fn plain(entries: &[Value]) -> String {
         let _ = writeln!(text, "{:width$}  {}", word(entry, "name"), word(entry, "about"));
         for option in entry["options"].as_array().into_iter().flatten() {
             let (name, range, default) = (word(option, "name"), word(option, "range"), word(option, "default"));
-            let _ = writeln!(
-                text,
-                "{:width$}    {name}={range} (default {default}): {}",
-                "",
-                word(option, "about")
-            );
+            let _ = writeln!(text, "{:width$}    {name}={range} (default {default}): {}", "", word(option, "about"));
         }
     }
     text

@@ -23,9 +23,7 @@ pub(super) fn check_folder_of(path: &Path) -> Result<()> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    tempfile::tempfile_in(folder)
-        .map(drop)
-        .map_err(Error::io("write into", folder))
+    tempfile::tempfile_in(folder).map(drop).map_err(Error::io("write into", folder))
 }
 
 /// Writes a view: its numbers into an EXR file, its colours into a PNG.

@@ -20,11 +20,7 @@ pub(super) fn without_layer_noise() {
     let mut arguments = std::env::args_os();
     let name = arguments.next().unwrap_or_else(|| "dejag".into());
     // Returns only if it fails; then the line is printed after all, which harms nothing.
-    let _ = std::process::Command::new(this)
-        .arg0(name)
-        .args(arguments)
-        .env(SWITCH, "1")
-        .exec();
+    let _ = std::process::Command::new(this).arg0(name).args(arguments).env(SWITCH, "1").exec();
 }
 
 #[cfg(not(target_os = "linux"))]

@@ -68,11 +68,7 @@ impl Score {
         if let Some(json) = json {
             output::check_folder_of(json)?;
         }
-        let scenes: Vec<Scene> = self
-            .names()
-            .iter()
-            .map(|name| load(name, self.drawing.quiet))
-            .collect::<Result<_, _>>()?;
+        let scenes: Vec<Scene> = self.names().iter().map(|name| load(name, self.drawing.quiet)).collect::<Result<_, _>>()?;
         let mut report = self.report.as_deref().map(HtmlReport::begin).transpose()?;
         let gpu = self.drawing.open()?;
         let results = self.score(&gpu, &scenes, &request, report.as_mut())?;
@@ -95,19 +91,13 @@ impl Score {
         let shipped = || SHIPPED.iter().map(|s| s.name.to_owned());
         match &self.scenes[..] {
             [] => DEMO_SCENES.iter().map(|s| (*s).to_owned()).collect(),
-            names => names
-                .iter()
-                .flat_map(|n| if n == "all" { shipped().collect() } else { vec![n.clone()] })
-                .collect(),
+            names => names.iter().flat_map(|n| if n == "all" { shipped().collect() } else { vec![n.clone()] }).collect(),
         }
     }
 
     fn request(&self) -> Result<Request, Error> {
-        let methods: Vec<&str> = if self.methods.is_empty() {
-            DEMO_METHODS.to_vec()
-        } else {
-            self.methods.iter().map(String::as_str).collect()
-        };
+        let methods: Vec<&str> =
+            if self.methods.is_empty() { DEMO_METHODS.to_vec() } else { self.methods.iter().map(String::as_str).collect() };
         for (i, method) in methods.iter().enumerate() {
             if methods[..i].contains(method) {
                 return Err(Error::Request(format!("method {method} is given twice; give it once")));
@@ -162,18 +152,8 @@ impl Score {
         let mut words = vec!["score".to_owned()];
         words.extend(self.names());
         words.extend(request.methods.iter().flat_map(|m| ["-m".to_owned(), m.to_string()]));
-        words.extend([
-            "--size".into(),
-            format!("{width}x{height}"),
-            "--frame".into(),
-            self.frame.to_string(),
-        ]);
-        words.extend([
-            "--reference".into(),
-            self.reference.clone(),
-            "--adapter".into(),
-            self.drawing.adapter.to_string(),
-        ]);
+        words.extend(["--size".into(), format!("{width}x{height}"), "--frame".into(), self.frame.to_string()]);
+        words.extend(["--reference".into(), self.reference.clone(), "--adapter".into(), self.drawing.adapter.to_string()]);
         words
     }
 
@@ -201,10 +181,7 @@ fn add_pictures(report: &mut HtmlReport, outcome: &SceneOutcome) -> Result<(), E
     report.add_scene(&outcome.result.name, &outcome.reference)?;
     for (method, pictures) in outcome.result.methods.iter().zip(&outcome.pictures) {
         if let Some(pictures) = pictures {
-            let files = MethodPictures {
-                capture: &pictures.capture,
-                error_map: Some(&pictures.error_map),
-            };
+            let files = MethodPictures { capture: &pictures.capture, error_map: Some(&pictures.error_map) };
             report.add_method(&method.spec, files)?;
         }
     }

@@ -22,11 +22,7 @@ pub(super) fn listen_for_interrupts() {
 
 /// Whether Ctrl-C was pressed, as an error.
 pub(super) fn check_interrupt() -> Result<()> {
-    if INTERRUPTED.load(Ordering::SeqCst) {
-        Err(Error::Interrupted)
-    } else {
-        Ok(())
-    }
+    if INTERRUPTED.load(Ordering::SeqCst) { Err(Error::Interrupted) } else { Ok(()) }
 }
 
 /// A bar that shows how far a long run is and how much time is left. Hidden when quiet or when stderr is no terminal.
@@ -42,11 +38,7 @@ impl Bar {
     pub(super) fn new(total: u64, quiet: bool) -> Self {
         let bar = ProgressBar::with_draw_target(
             Some(total),
-            if quiet {
-                ProgressDrawTarget::hidden()
-            } else {
-                ProgressDrawTarget::stderr_with_hz(5)
-            },
+            if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(5) },
         );
         let template = "{msg:32!} {bar:24} {percent:>3}%  {elapsed} elapsed, {eta} left";
         if let Ok(style) = ProgressStyle::with_template(template) {

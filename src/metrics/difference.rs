@@ -15,8 +15,7 @@ pub(super) fn psnr(pair: &Pair<'_>) -> Figure {
 /// Peak signal to noise ratio of exposed linear values, clamped to [0, 1] on both sides.
 pub(super) fn psnr_linear(pair: &Pair<'_>) -> Figure {
     let clamped = |t: f64, r: f64| (t.clamp(0.0, 1.0) - r.clamp(0.0, 1.0)).powi(2);
-    pair.linear()
-        .map_or(Figure::NotApplicable, |linear| psnr_of(linear.mean(clamped)))
+    pair.linear().map_or(Figure::NotApplicable, |linear| psnr_of(linear.mean(clamped)))
 }
 
 /// Largest absolute difference of display values, in steps of an 8 bit display.
@@ -28,8 +27,7 @@ pub(super) fn max_error(pair: &Pair<'_>) -> Figure {
 /// what is darker than a tenth of white.
 pub(super) fn relative_rmse(pair: &Pair<'_>) -> Figure {
     let relative = |t: f64, r: f64| (t - r).powi(2) / (r * r + 0.01);
-    pair.linear()
-        .map_or(Figure::NotApplicable, |linear| Figure::from(linear.mean(relative).sqrt()))
+    pair.linear().map_or(Figure::NotApplicable, |linear| Figure::from(linear.mean(relative).sqrt()))
 }
 
 /// Mean of the candidate over mean of the reference, in exposed linear values without a clamp. Two black pictures have ratio 1,

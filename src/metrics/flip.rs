@@ -17,15 +17,13 @@ pub const NON_FINITE_COLOUR: Pixel = [0.0, 1.0, 0.0, 1.0];
 
 /// Mean FLIP error.
 pub(super) fn mean(pair: &Pair<'_>) -> Figure {
-    pair.flip_map()
-        .map_or(Figure::NotApplicable, |map| Figure::from(mean_of(map)))
+    pair.flip_map().map_or(Figure::NotApplicable, |map| Figure::from(mean_of(map)))
 }
 
 /// The FLIP error that 99 % of the pixels do not exceed: every pixel counts the same (FLIP's own tool weights percentiles by
 /// the error), linearly interpolated between the two nearest ranks.
 pub(super) fn percentile_99(pair: &Pair<'_>) -> Figure {
-    pair.flip_map()
-        .map_or(Figure::NotApplicable, |map| Figure::from(percentile(map, 0.99)))
+    pair.flip_map().map_or(Figure::NotApplicable, |map| Figure::from(percentile(map, 0.99)))
 }
 
 pub(super) fn mean_of(map: &[f32]) -> f64 {
@@ -65,16 +63,12 @@ pub(super) fn compute_map(pair: &Pair<'_>, pixels_per_degree: f32) -> Option<Vec
     let broken = if pair.is_finite() { Vec::new() } else { pair.broken_pixels() };
     let sides = pair.display();
     let (candidate, reference) = (rgb(sides.candidate, &broken)?, rgb(sides.reference, &broken)?);
-    flip_rs::ldr_flip(&reference, &candidate, pixels_per_degree)
-        .ok()
-        .map(flip_rs::ErrorMap::into_pixels)
+    flip_rs::ldr_flip(&reference, &candidate, pixels_per_degree).ok().map(flip_rs::ErrorMap::into_pixels)
 }
 
 fn rgb(picture: &DisplayPicture, broken: &[bool]) -> Option<flip_rs::RgbImage<f32>> {
     let is_broken = |index: usize| broken.get(index).copied().unwrap_or(false);
     let pixels = picture.pixels().iter().enumerate();
-    let values = pixels
-        .flat_map(|(i, &[r, g, b, _])| if is_broken(i) { [0.0; 3] } else { [r, g, b] })
-        .collect();
+    let values = pixels.flat_map(|(i, &[r, g, b, _])| if is_broken(i) { [0.0; 3] } else { [r, g, b] }).collect();
     flip_rs::RgbImage::new(picture.width() as usize, picture.height() as usize, values).ok()
 }

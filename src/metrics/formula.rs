@@ -90,9 +90,7 @@ fn hard(x: i32, y: i32) -> [i32; 3] {
 
 fn soft(x: i32, y: i32) -> [i32; 3] {
     let samples = (0..4).flat_map(|j| (0..4).map(move |i| (i, j)));
-    let covered = samples
-        .filter(|(i, j)| 3 * (8 * x + 2 * i + 1) > 4 * (8 * y + 2 * j + 1))
-        .count() as i32;
+    let covered = samples.filter(|(i, j)| 3 * (8 * x + 2 * i + 1) > 4 * (8 * y + 2 * j + 1)).count() as i32;
     [(255 * covered + 8) / 16; 3]
 }
 

@@ -132,11 +132,7 @@ impl Metric {
     /// The metric's figure for a pair; [`Figure::NonFinite`] if any pixel of it is NaN or infinite.
     #[must_use]
     pub fn evaluate(&self, pair: &Pair<'_>) -> Figure {
-        if pair.is_finite() {
-            (self.figure)(pair)
-        } else {
-            Figure::NonFinite
-        }
+        if pair.is_finite() { (self.figure)(pair) } else { Figure::NonFinite }
     }
 }
 

@@ -90,9 +90,7 @@ impl<'a> Pair<'a> {
 
     /// The FLIP error of each pixel in reading order, computed on first use; none if the picture exceeds FLIP's limits.
     pub(super) fn flip_map(&self) -> Option<&[f32]> {
-        self.flip
-            .get_or_init(|| flip::compute_map(self, flip::PIXELS_PER_DEGREE))
-            .as_deref()
+        self.flip.get_or_init(|| flip::compute_map(self, flip::PIXELS_PER_DEGREE)).as_deref()
     }
 
     /// For each pixel in reading order, whether any of its values is NaN or infinite on either side.
@@ -141,15 +139,11 @@ impl<E: Sync> Sides<'_, E> {
         let width = self.reference.width() as usize;
         let candidates = self.candidate.pixels().par_chunks_exact(width);
         let references = self.reference.pixels().par_chunks_exact(width);
-        candidates
-            .zip(references)
-            .map(|(candidate, reference)| figure(candidate, reference))
-            .collect()
+        candidates.zip(references).map(|(candidate, reference)| figure(candidate, reference)).collect()
     }
 }
 
 /// Red, green and blue of each pixel; alpha says nothing about what is seen.
 fn colours(row: &[Pixel]) -> impl Iterator<Item = f64> + '_ {
-    row.iter()
-        .flat_map(|&[r, g, b, _]| [f64::from(r), f64::from(g), f64::from(b)])
+    row.iter().flat_map(|&[r, g, b, _]| [f64::from(r), f64::from(g), f64::from(b)])
 }

@@ -14,10 +14,7 @@ fn number(name: &str, pair: &Pair<'_>) -> f64 {
 #[track_caller]
 fn assert_meets(what: &str, pair: &FormulaPair, got: f64, published: f64, within: f64) {
     let name = pair.name;
-    assert!(
-        (got - published).abs() <= within,
-        "{what} of {name}: {got}, published {published}"
-    );
+    assert!((got - published).abs() <= within, "{what} of {name}: {got}, published {published}");
 }
 
 /// Half a step of the sixth, seventh and ninth decimal: what a figure printed to that many may be off.
@@ -57,10 +54,7 @@ fn linear_psnr_meets_the_published_figures() {
 fn exact_linear_psnr(formula: &FormulaPair) -> f64 {
     let squared = |channel: usize| {
         let [test, reference] = formula.exact(channel);
-        test.iter()
-            .zip(&reference)
-            .map(|(&t, &r)| (srgb_decode(t) - srgb_decode(r)).powi(2))
-            .sum::<f64>()
+        test.iter().zip(&reference).map(|(&t, &r)| (srgb_decode(t) - srgb_decode(r)).powi(2)).sum::<f64>()
     };
     -10.0 * ((0..3).map(squared).sum::<f64>() / f64::from(3 * WIDTH * HEIGHT)).log10()
 }
@@ -92,13 +86,7 @@ fn flip_meets_the_published_figures() {
         assert_meets("FLIP mean in f32", formula, summed_in_f32(map), formula.flip[0], SEVEN);
         assert_meets("FLIP mean", formula, number("flip", &pair), formula.flip[0], 2.5e-7);
         assert_meets("FLIP maximum", formula, maximum(map), formula.flip[1], SEVEN);
-        assert_meets(
-            "FLIP mean at 67 in f32",
-            formula,
-            summed_in_f32(&at_67),
-            formula.flip_67[0],
-            SIX,
-        );
+        assert_meets("FLIP mean at 67 in f32", formula, summed_in_f32(&at_67), formula.flip_67[0], SIX);
         assert_meets("FLIP mean at 67", formula, flip::mean_of(&at_67), formula.flip_67[0], 7e-7);
         assert_meets("FLIP maximum at 67", formula, maximum(&at_67), formula.flip_67[1], SIX);
     }
@@ -108,10 +96,7 @@ fn flip_meets_the_published_figures() {
 fn the_ids_name_the_viewing_distance() {
     let suffix = format!("@{PIXELS_PER_DEGREE:.4}");
     for name in ["flip", "flip-p99"] {
-        assert!(
-            find(name).expect("known").id.ends_with(&suffix),
-            "{name} is at {PIXELS_PER_DEGREE}"
-        );
+        assert!(find(name).expect("known").id.ends_with(&suffix), "{name} is at {PIXELS_PER_DEGREE}");
     }
 }
 

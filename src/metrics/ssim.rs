@@ -56,19 +56,13 @@ pub(super) fn plane_mean(width: usize, candidate: &[f64], reference: &[f64]) -> 
 
 /// The moments of a row, weighted along it, for each place where the window fits.
 fn filter_row(candidate: &[f64], reference: &[f64], window: &[f64; WINDOW]) -> Vec<Moments> {
-    let products: Vec<Moments> = candidate
-        .iter()
-        .zip(reference)
-        .map(|(&t, &r)| [t, r, t * t, r * r, t * r])
-        .collect();
+    let products: Vec<Moments> = candidate.iter().zip(reference).map(|(&t, &r)| [t, r, t * t, r * r, t * r]).collect();
     products.windows(WINDOW).map(|under| weighted(under.iter(), window)).collect()
 }
 
 /// The sum of the index along one row of windows, given the filtered rows that the windows span.
 fn index_sum(rows: &[Vec<Moments>], window: &[f64; WINDOW]) -> f64 {
-    (0..rows[0].len())
-        .map(|x| index(weighted(rows.iter().map(|row| &row[x]), window)))
-        .sum()
+    (0..rows[0].len()).map(|x| index(weighted(rows.iter().map(|row| &row[x]), window))).sum()
 }
 
 fn weighted<'m>(moments: impl Iterator<Item = &'m Moments>, window: &[f64; WINDOW]) -> Moments {

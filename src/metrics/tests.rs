@@ -19,12 +19,7 @@ fn grey(value: f32) -> DisplayPicture {
 
 /// The grey picture with one pixel replaced.
 fn with_pixel(value: f32, pixel: Pixel) -> DisplayPicture {
-    DisplayPicture::from_fn(
-        20,
-        16,
-        |x, y| if (x, y) == (7, 9) { pixel } else { [value, value, value, 1.0] },
-    )
-    .expect("a size")
+    DisplayPicture::from_fn(20, 16, |x, y| if (x, y) == (7, 9) { pixel } else { [value, value, value, 1.0] }).expect("a size")
 }
 
 fn linear(values: &[f32]) -> LinearPicture {
@@ -43,9 +38,7 @@ fn linear_figure(name: &str, candidate: &[f32], reference: &[f32]) -> Figure {
 fn equal_pictures_are_perfect() {
     let picture = PAIRS[0].reference();
     let linear = picture.to_linear();
-    let pair = Pair::new(&picture, &picture)
-        .and_then(|pair| pair.with_linear(&linear, &linear))
-        .expect("one size");
+    let pair = Pair::new(&picture, &picture).and_then(|pair| pair.with_linear(&linear, &linear)).expect("one size");
     for metric in METRICS {
         let perfect = match (metric.better, metric.name) {
             (_, "psnr" | "psnr-linear") => Figure::Infinite,
@@ -79,10 +72,7 @@ fn a_pixel_that_is_not_finite_is_said_not_averaged() {
         let (candidate, reference) = (with_pixel(0.5, [0.5, bad, 0.5, 1.0]), grey(0.5));
         for (candidate, reference) in [(&candidate, &reference), (&reference, &candidate)] {
             let pair = Pair::new(candidate, reference).expect("one size");
-            assert!(
-                METRICS.iter().all(|metric| metric.evaluate(&pair) == Figure::NonFinite),
-                "{bad}"
-            );
+            assert!(METRICS.iter().all(|metric| metric.evaluate(&pair) == Figure::NonFinite), "{bad}");
         }
     }
 }
@@ -93,13 +83,7 @@ fn a_tone_map_hides_no_infinity() {
     let (shown_candidate, shown_reference) = (candidate.to_display(), reference.to_display());
     let pair = Pair::new(&shown_candidate, &shown_reference).and_then(|pair| pair.with_linear(&candidate, &reference));
     let pair = pair.expect("one size");
-    assert_eq!(
-        pair.candidate_non_finite(),
-        Some(NonFinite {
-            pixels: 1,
-            first: [1, 0]
-        })
-    );
+    assert_eq!(pair.candidate_non_finite(), Some(NonFinite { pixels: 1, first: [1, 0] }));
     assert_eq!(pair.reference_non_finite(), None);
     assert_eq!(figure("psnr", &pair), Figure::NonFinite);
 }
@@ -107,10 +91,7 @@ fn a_tone_map_hides_no_infinity() {
 #[test]
 fn sizes_must_be_equal() {
     let (small, large) = (grey(0.5), PAIRS[0].reference());
-    assert!(matches!(
-        Pair::new(&small, &large),
-        Err(Error::SizeMismatch([64, 48], [20, 16]))
-    ));
+    assert!(matches!(Pair::new(&small, &large), Err(Error::SizeMismatch([64, 48], [20, 16]))));
     let (small_linear, large_linear) = (small.to_linear(), large.to_linear());
     let mixed = Pair::new(&small, &small).and_then(|pair| pair.with_linear(&small_linear, &large_linear));
     assert!(matches!(mixed, Err(Error::SizeMismatch(..))));
@@ -118,11 +99,7 @@ fn sizes_must_be_equal() {
 
 #[test]
 fn what_does_not_apply_is_said() {
-    let pair_of = |picture: &DisplayPicture| {
-        Pair::new(picture, picture)
-            .map(|pair| figure("ssim", &pair))
-            .expect("one size")
-    };
+    let pair_of = |picture: &DisplayPicture| Pair::new(picture, picture).map(|pair| figure("ssim", &pair)).expect("one size");
     assert_eq!(pair_of(&grey(0.5).crop(0, 0, 10, 16).expect("inside")), Figure::NotApplicable);
     assert_eq!(pair_of(&grey(0.5).crop(0, 0, 11, 11).expect("inside")), Figure::Number(1.0));
     let (a, b) = (grey(0.5), grey(0.6));
@@ -151,12 +128,7 @@ fn linear_metrics_follow_their_formulas() {
     };
     // Above white and below black are clamped for the PSNR, and count for the others.
     close("psnr-linear", &[5.0, 0.5], &[3.0, 0.25], -10.0 * (0.0625_f64 / 2.0).log10());
-    close(
-        "rel-rmse",
-        &[5.0, 0.5],
-        &[3.0, 0.25],
-        ((4.0_f64 / 9.01 + 0.0625 / 0.0725) / 2.0).sqrt(),
-    );
+    close("rel-rmse", &[5.0, 0.5], &[3.0, 0.25], ((4.0_f64 / 9.01 + 0.0625 / 0.0725) / 2.0).sqrt());
     close("energy", &[5.0, 0.5], &[3.0, 0.25], 5.5 / 3.25);
     assert_eq!(linear_figure("psnr-linear", &[9.0, -1.0], &[1.0, 0.0]), Figure::Infinite);
 }
@@ -185,10 +157,7 @@ fn the_percentile_is_unweighted_and_interpolated() {
     let rank = 0.99 * f64::from(WIDTH * HEIGHT - 1);
     let (below, above) = (f64::from(sorted[rank as usize]), f64::from(sorted[rank as usize + 1]));
     let got = number("flip-p99", &pair);
-    assert!(
-        (got - (below + rank.fract() * (above - below))).abs() < 1e-12,
-        "{got} between {below} and {above}"
-    );
+    assert!((got - (below + rank.fract() * (above - below))).abs() < 1e-12, "{got} between {below} and {above}");
     assert!(got > number("flip", &pair));
 }
 
@@ -221,13 +190,7 @@ fn threads_do_not_change_a_bit() {
 #[test]
 fn names_and_ids_are_unique_and_unknown_ones_are_refused() {
     for (i, metric) in METRICS.iter().enumerate() {
-        assert!(
-            METRICS[..i]
-                .iter()
-                .all(|other| other.name != metric.name && other.id != metric.id),
-            "{}",
-            metric.name
-        );
+        assert!(METRICS[..i].iter().all(|other| other.name != metric.name && other.id != metric.id), "{}", metric.name);
         assert!(metric.id.contains('/'), "{} carries a version", metric.id);
     }
     assert!(find("pnsr").expect_err("unknown").to_string().contains("did you mean 'psnr'"));

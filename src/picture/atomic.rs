@@ -56,9 +56,7 @@ fn fill(file: &File, write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>
 
 /// A temporary file in the target's folder, since a rename is atomic only within one file system.
 fn temporary_beside(target: &Path) -> io::Result<NamedTempFile> {
-    let name = target
-        .file_name()
-        .ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"))?;
+    let name = target.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"))?;
     let mut prefix = std::ffi::OsString::from(".");
     prefix.push(name);
     prefix.push(".");
@@ -90,10 +88,8 @@ mod tests {
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<String> = fs::read_dir(folder)
-            .expect("a folder")
-            .map(|e| e.expect("an entry").file_name().to_string_lossy().into())
-            .collect();
+        let mut names: Vec<String> =
+            fs::read_dir(folder).expect("a folder").map(|e| e.expect("an entry").file_name().to_string_lossy().into()).collect();
         names.sort();
         names
     }
@@ -141,11 +137,7 @@ mod tests {
         write_bytes_atomically(&link, b"new").expect("written");
         assert!(fs::symlink_metadata(&link).expect("there").is_symlink());
         assert_eq!(fs::read(&file).expect("readable"), b"new");
-        assert_ne!(
-            fs::metadata(&file).expect("there").permissions().mode() & 0o044,
-            0,
-            "as readable as any new file"
-        );
+        assert_ne!(fs::metadata(&file).expect("there").permissions().mode() & 0o044, 0, "as readable as any new file");
 
         write_bytes_atomically(Path::new("/dev/null"), b"gone").expect("written");
         assert!(fs::metadata("/dev/null").expect("there").file_type().is_char_device());

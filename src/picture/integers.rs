@@ -18,9 +18,7 @@ impl BitDepth {
         match bits {
             8 => Ok(Self::Eight),
             16 => Ok(Self::Sixteen),
-            _ => Err(Error::Request(format!(
-                "{bits} bits a channel cannot be written; choose 8 or 16"
-            ))),
+            _ => Err(Error::Request(format!("{bits} bits a channel cannot be written; choose 8 or 16"))),
         }
     }
 
@@ -55,10 +53,7 @@ impl DisplayPicture {
     fn from_levels<T: Copy>(width: u32, height: u32, levels: &[T], value: impl Fn(T) -> f32) -> Result<Self> {
         let (pixels, rest) = levels.as_chunks::<4>();
         if !rest.is_empty() {
-            return Err(Error::Request(format!(
-                "{} channel values are no whole number of RGBA pixels",
-                levels.len()
-            )));
+            return Err(Error::Request(format!("{} channel values are no whole number of RGBA pixels", levels.len())));
         }
         Self::new(width, height, pixels.iter().map(|pixel| pixel.map(&value)).collect())
     }
@@ -95,11 +90,7 @@ mod tests {
     #[test]
     fn levels_round_half_up_and_clamp() {
         let half = 0.5 / 255.0;
-        let picture = DisplayPicture::new(
-            2,
-            1,
-            vec![[half, half * 0.999, -3.0, 1.5], [f32::NAN, 1.0, 0.5, f32::INFINITY]],
-        );
+        let picture = DisplayPicture::new(2, 1, vec![[half, half * 0.999, -3.0, 1.5], [f32::NAN, 1.0, 0.5, f32::INFINITY]]);
         assert_eq!(picture.expect("2 pixels").to_rgba8(), [1, 0, 0, 255, 0, 255, 128, 255]);
     }
 

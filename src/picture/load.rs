@@ -65,10 +65,7 @@ impl Loaded {
 pub fn load(path: &Path) -> Result<Loaded> {
     let mut file = BufReader::new(File::open(path).map_err(Error::io("read", path))?);
     let mut start = Vec::new();
-    file.by_ref()
-        .take(64)
-        .read_to_end(&mut start)
-        .map_err(Error::io("read", path))?;
+    file.by_ref().take(64).read_to_end(&mut start).map_err(Error::io("read", path))?;
     let kind = Kind::of(&start).map_err(|message| format_error(path, "PNG, JPEG or OpenEXR picture", message))?;
     file.rewind().map_err(Error::io("read", path))?;
     read(file, kind).map_err(|refusal| match refusal {
@@ -78,11 +75,7 @@ pub fn load(path: &Path) -> Result<Loaded> {
 }
 
 fn format_error(path: &Path, expected: &'static str, message: String) -> Error {
-    Error::Format {
-        path: path.to_path_buf(),
-        expected,
-        message,
-    }
+    Error::Format { path: path.to_path_buf(), expected, message }
 }
 
 /// The formats that are read.
@@ -178,10 +171,7 @@ fn check_exr_windows(file: &mut BufReader<File>) -> Result<(), Refusal> {
 
 fn check_size(width: u64, height: u64) -> Result<(), Refusal> {
     if width.max(height) > MAX_SIDE.into() || width.saturating_mul(height) > MAX_PIXELS {
-        return Err(Refusal::Format(format!(
-            "it claims {width}x{height} pixels; {}",
-            limits_in_words()
-        )));
+        return Err(Refusal::Format(format!("it claims {width}x{height} pixels; {}", limits_in_words())));
     }
     Ok(())
 }

@@ -65,9 +65,7 @@ impl<E> Picture<E> {
         check_side_lengths(width, height)?;
         if pixels.len() as u64 != u64::from(width) * u64::from(height) {
             let count = pixels.len();
-            return Err(Error::Request(format!(
-                "{count} pixels do not fill a picture of {width}x{height}"
-            )));
+            return Err(Error::Request(format!("{count} pixels do not fill a picture of {width}x{height}")));
         }
         Ok(Self::assemble([width, height], pixels))
     }
@@ -88,11 +86,7 @@ impl<E> Picture<E> {
 
     /// Of parts that are known to fit.
     fn assemble(size: [u32; 2], pixels: Vec<Pixel>) -> Self {
-        Self {
-            size,
-            pixels,
-            encoding: PhantomData,
-        }
+        Self { size, pixels, encoding: PhantomData }
     }
 
     /// Width in pixels, at least 1.
@@ -148,10 +142,7 @@ impl<E> Picture<E> {
         let first = self.pixels.iter().position(broken)?;
         let pixels = self.pixels[first..].iter().filter(|pixel| broken(pixel)).count() as u64;
         let width = self.width() as usize;
-        Some(NonFinite {
-            pixels,
-            first: [(first % width) as u32, (first / width) as u32],
-        })
+        Some(NonFinite { pixels, first: [(first % width) as u32, (first / width) as u32] })
     }
 
     /// The part of `width` x `height` pixels whose top left pixel is (`x`, `y`).
@@ -179,9 +170,7 @@ impl<E> Picture<E> {
         let [width, height] = self.size.map(|side| u64::from(side) * u64::from(factor));
         if factor == 0 || width.max(height) > MAX_SIDE.into() || width * height > MAX_PIXELS {
             let [w, h] = self.size;
-            return Err(Error::Request(format!(
-                "a picture of {w}x{h} cannot be magnified {factor} times"
-            )));
+            return Err(Error::Request(format!("a picture of {w}x{h} cannot be magnified {factor} times")));
         }
         Self::from_fn(width as u32, height as u32, |x, y| self.pixel(x / factor, y / factor))
     }
@@ -197,9 +186,7 @@ impl<E> std::fmt::Debug for Picture<E> {
 
 fn check_side_lengths(width: u32, height: u32) -> Result<()> {
     if width == 0 || height == 0 {
-        return Err(Error::Request(format!(
-            "a picture of {width}x{height} has no pixels; both sides must be at least 1"
-        )));
+        return Err(Error::Request(format!("a picture of {width}x{height} has no pixels; both sides must be at least 1")));
     }
     Ok(())
 }

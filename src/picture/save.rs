@@ -26,9 +26,7 @@ impl FileFormat {
     ///
     /// [`Error::Request`], listing what exists, if there is no extension or another one.
     pub fn of_path(path: &Path) -> Result<Self> {
-        let extension = path
-            .extension()
-            .map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
         match extension.as_deref() {
             Some("png") => Ok(Self::Png),
             Some("exr") => Ok(Self::Exr),
@@ -61,10 +59,7 @@ impl DisplayPicture {
     pub fn encode_png(&self, writer: impl Write, depth: BitDepth, metadata: Metadata<'_>) -> io::Result<()> {
         let (bits, bytes) = match depth {
             BitDepth::Eight => (png::BitDepth::Eight, self.to_rgba8()),
-            BitDepth::Sixteen => (
-                png::BitDepth::Sixteen,
-                self.to_rgba16().into_iter().flat_map(u16::to_be_bytes).collect(),
-            ),
+            BitDepth::Sixteen => (png::BitDepth::Sixteen, self.to_rgba16().into_iter().flat_map(u16::to_be_bytes).collect()),
         };
         let mut encoder = png::Encoder::new(writer, self.width(), self.height());
         encoder.set_color(png::ColorType::Rgba);
@@ -119,13 +114,10 @@ impl LinearPicture {
             (r, g, b, a)
         });
         let layer = Layer::new(size, comments(metadata), Encoding::SMALL_LOSSLESS, channels);
-        Image::from_layer(layer)
-            .write()
-            .to_buffered(writer)
-            .map_err(|error| match error {
-                exr::error::Error::Io(source) => source,
-                other => io::Error::other(other.to_string()),
-            })
+        Image::from_layer(layer).write().to_buffered(writer).map_err(|error| match error {
+            exr::error::Error::Io(source) => source,
+            other => io::Error::other(other.to_string()),
+        })
     }
 }
 
@@ -135,8 +127,5 @@ fn comments(metadata: Metadata<'_>) -> LayerAttributes {
     let text = lines.join("\n");
     let ascii: String = text.chars().map(|c| if c.is_ascii() { c } else { '?' }).collect();
     let text = Text::new_or_none(&text).or_else(|| Text::new_or_none(&ascii));
-    LayerAttributes {
-        comments: text.filter(|_| !metadata.is_empty()),
-        ..LayerAttributes::default()
-    }
+    LayerAttributes { comments: text.filter(|_| !metadata.is_empty()), ..LayerAttributes::default() }
 }

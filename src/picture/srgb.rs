@@ -7,21 +7,13 @@ use rayon::prelude::*;
 /// above 1.
 #[must_use]
 pub fn srgb_encode(linear: f64) -> f64 {
-    if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * linear.powf(1.0 / 2.4) - 0.055
-    }
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// The linear value of one sRGB-coded value: the inverse of [`srgb_encode`].
 #[must_use]
 pub fn srgb_decode(coded: f64) -> f64 {
-    if coded <= 0.040_45 {
-        coded / 12.92
-    } else {
-        ((coded + 0.055) / 1.055).powf(2.4)
-    }
+    if coded <= 0.040_45 { coded / 12.92 } else { ((coded + 0.055) / 1.055).powf(2.4) }
 }
 
 impl LinearPicture {
@@ -60,23 +52,9 @@ mod tests {
 
     #[test]
     fn coding_meets_known_values() {
-        for (linear, coded) in [
-            (0.0, 0.0),
-            (1.0, 1.0),
-            (0.5, 0.735_356_983_052),
-            (0.18, 0.461_356_129_500),
-            (0.001, 0.01292),
-        ] {
-            assert!(
-                (srgb_encode(linear) - coded).abs() < 1e-9,
-                "{linear} -> {}",
-                srgb_encode(linear)
-            );
-            assert!(
-                (srgb_decode(coded) - linear).abs() < 1e-9,
-                "{coded} -> {}",
-                srgb_decode(coded)
-            );
+        for (linear, coded) in [(0.0, 0.0), (1.0, 1.0), (0.5, 0.735_356_983_052), (0.18, 0.461_356_129_500), (0.001, 0.01292)] {
+            assert!((srgb_encode(linear) - coded).abs() < 1e-9, "{linear} -> {}", srgb_encode(linear));
+            assert!((srgb_decode(coded) - linear).abs() < 1e-9, "{coded} -> {}", srgb_decode(coded));
         }
     }
 

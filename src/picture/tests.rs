@@ -6,10 +6,8 @@ use std::path::{Path, PathBuf};
 
 fn sample(width: u32, height: u32) -> DisplayPicture {
     let value = |x: u32, y: u32, k: u32| ((x * 7 + y * 13 + k * 5) % 17) as f32 / 16.0;
-    DisplayPicture::from_fn(width, height, |x, y| {
-        [value(x, y, 0), value(x, y, 1), value(x, y, 2), value(x, y, 3)]
-    })
-    .expect("a size")
+    DisplayPicture::from_fn(width, height, |x, y| [value(x, y, 0), value(x, y, 1), value(x, y, 2), value(x, y, 3)])
+        .expect("a size")
 }
 
 fn linear_sample(width: u32, height: u32) -> LinearPicture {
@@ -42,9 +40,7 @@ fn png_keeps_its_levels_at_both_depths() {
     let path = folder.path().join("picture.png");
     for depth in [BitDepth::Eight, BitDepth::Sixteen] {
         let picture = sample(13, 7);
-        picture
-            .save_png(&path, depth, &[("method", "ssaa:spp=4"), ("note", "naïve")])
-            .expect("saved");
+        picture.save_png(&path, depth, &[("method", "ssaa:spp=4"), ("note", "naïve")]).expect("saved");
         assert_eq!(load(&path).expect("loaded"), Loaded::Display(picture.quantized(depth)));
     }
 }
@@ -54,9 +50,7 @@ fn exr_keeps_every_bit() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("picture.exr");
     let picture = linear_sample(33, 65);
-    picture
-        .save_exr(&path, &[("scene", "edges"), ("note", "naïve")])
-        .expect("saved");
+    picture.save_exr(&path, &[("scene", "edges"), ("note", "naïve")]).expect("saved");
     assert_eq!(load(&path).expect("loaded"), Loaded::Linear(picture));
 }
 
@@ -75,18 +69,12 @@ fn the_same_picture_gives_the_same_bytes() {
 #[test]
 fn metadata_and_the_srgb_mark_are_in_the_png() {
     let mut bytes = Vec::new();
-    sample(2, 2)
-        .encode_png(&mut bytes, BitDepth::Eight, &[("scene", "edges")])
-        .expect("encoded");
+    sample(2, 2).encode_png(&mut bytes, BitDepth::Eight, &[("scene", "edges")]).expect("encoded");
     let reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a header");
     let info = reader.info();
     assert!(info.srgb.is_some());
     assert_eq!(info.uncompressed_latin1_text[0].text, "edges");
-    assert!(
-        sample(2, 2)
-            .encode_png(Vec::new(), BitDepth::Eight, &[("", "no key")])
-            .is_err()
-    );
+    assert!(sample(2, 2).encode_png(Vec::new(), BitDepth::Eight, &[("", "no key")]).is_err());
 }
 
 #[test]
@@ -151,11 +139,7 @@ fn grey_and_opaque_pngs_become_rgba() {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
     encoder.set_color(png::ColorType::Grayscale);
-    encoder
-        .write_header()
-        .expect("a header")
-        .write_image_data(&[0, 255])
-        .expect("pixels");
+    encoder.write_header().expect("a header").write_image_data(&[0, 255]).expect("pixels");
     let picture = load(&write(&folder, "grey.png", &bytes)).expect("loaded").into_display();
     assert_eq!(picture.pixels(), [[0.0, 0.0, 0.0, 1.0], [1.0; 4]]);
 }
@@ -166,18 +150,10 @@ fn jpegs_are_read_and_cut_ones_refused() {
     let mut bytes = Vec::new();
     let colours = [200, 100, 50].repeat(40 * 40);
     let mut encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut bytes, 100);
-    encoder
-        .encode(&colours, 40, 40, image::ExtendedColorType::Rgb8)
-        .expect("encoded");
-    let [r, g, b, a] = load(&write(&folder, "good.jpg", &bytes))
-        .expect("loaded")
-        .into_display()
-        .pixel(20, 20);
+    encoder.encode(&colours, 40, 40, image::ExtendedColorType::Rgb8).expect("encoded");
+    let [r, g, b, a] = load(&write(&folder, "good.jpg", &bytes)).expect("loaded").into_display().pixel(20, 20);
     let near = |value: f32, level: f32| (255.0 * value - level).abs() <= 3.0;
-    assert!(
-        near(r, 200.0) && near(g, 100.0) && near(b, 50.0) && a == 1.0,
-        "{r} {g} {b} {a}"
-    );
+    assert!(near(r, 200.0) && near(g, 100.0) && near(b, 50.0) && a == 1.0, "{r} {g} {b} {a}");
     let cut = load(&write(&folder, "cut.jpg", &bytes[..bytes.len() - 60]));
     assert!(matches!(cut, Err(Error::Format { .. })), "{cut:?}");
 }
@@ -185,21 +161,12 @@ fn jpegs_are_read_and_cut_ones_refused() {
 #[test]
 fn non_finite_pixels_are_counted_from_the_first() {
     let mut pixels = vec![[0.0; 4]; 12];
-    assert_eq!(
-        LinearPicture::new(4, 3, pixels.clone()).expect("12 pixels").non_finite(),
-        None
-    );
+    assert_eq!(LinearPicture::new(4, 3, pixels.clone()).expect("12 pixels").non_finite(), None);
     pixels[6][1] = f32::NAN;
     pixels[6][2] = f32::INFINITY;
     pixels[11][3] = f32::NEG_INFINITY;
     let found = LinearPicture::new(4, 3, pixels).expect("12 pixels").non_finite();
-    assert_eq!(
-        found,
-        Some(NonFinite {
-            pixels: 2,
-            first: [2, 1]
-        })
-    );
+    assert_eq!(found, Some(NonFinite { pixels: 2, first: [2, 1] }));
 }
 
 #[test]

@@ -27,10 +27,7 @@ impl Staging {
         refuse_foreign(&target)?;
         let parent = parent_of(&target)?;
         fs::create_dir_all(&parent).map_err(Error::io("create the folder", &parent))?;
-        let folder = Builder::new()
-            .prefix(".dejag-report-")
-            .tempdir_in(&parent)
-            .map_err(Error::io("write into", &parent))?;
+        let folder = Builder::new().prefix(".dejag-report-").tempdir_in(&parent).map_err(Error::io("write into", &parent))?;
         write_bytes_atomically(&folder.path().join(MARKER), MARKER_TEXT)?;
         Ok(Self { target, folder })
     }
@@ -45,10 +42,7 @@ impl Staging {
         refuse_foreign(&self.target)?;
         let parent = parent_of(&self.target)?;
         // The old report's way back, should the new one not get in: it is deleted only after.
-        let attic = Builder::new()
-            .prefix(".dejag-report-")
-            .tempdir_in(&parent)
-            .map_err(Error::io("write into", &parent))?;
+        let attic = Builder::new().prefix(".dejag-report-").tempdir_in(&parent).map_err(Error::io("write into", &parent))?;
         let old = attic.path().join("old");
         let replacing = self.target.exists();
         if replacing {
@@ -76,9 +70,7 @@ fn refuse_foreign(target: &Path) -> Result<()> {
         "holds files that are not a report of dejag"
     };
     let target = target.display();
-    Err(Error::Request(format!(
-        "{target} {what} and will not be replaced; name a new or empty folder, or clear it yourself"
-    )))
+    Err(Error::Request(format!("{target} {what} and will not be replaced; name a new or empty folder, or clear it yourself")))
 }
 
 fn is_empty(folder: &Path) -> Result<bool> {
@@ -88,9 +80,7 @@ fn is_empty(folder: &Path) -> Result<bool> {
 fn parent_of(target: &Path) -> Result<PathBuf> {
     if target.file_name().is_none() {
         let target = target.display();
-        return Err(Error::Request(format!(
-            "'{target}' names no folder that a report could become; name a new folder"
-        )));
+        return Err(Error::Request(format!("'{target}' names no folder that a report could become; name a new folder")));
     }
     match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => Ok(parent.to_path_buf()),
@@ -104,9 +94,7 @@ mod tests {
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).expect("a folder");
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into())
-            .collect();
+        let mut names: Vec<String> = entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into()).collect();
         names.sort();
         names
     }
@@ -137,11 +125,7 @@ mod tests {
     #[test]
     fn empty_folders_are_taken_and_others_refused() {
         let home = tempfile::tempdir().expect("a folder");
-        let (empty, foreign, file) = (
-            home.path().join("empty"),
-            home.path().join("foreign"),
-            home.path().join("file"),
-        );
+        let (empty, foreign, file) = (home.path().join("empty"), home.path().join("foreign"), home.path().join("file"));
         fs::create_dir(&empty).expect("made");
         fs::create_dir(&foreign).expect("made");
         fs::write(foreign.join("thesis.tex"), b"years of work").expect("written");

@@ -62,9 +62,7 @@ pub fn write_html(dir: &Path, input: &ReportInput<'_>) -> Result<()> {
 }
 
 fn mismatch(what: &str, results: usize, pictures: usize) -> Error {
-    Error::Request(format!(
-        "a report needs the pictures of all its {what}: {results} have results, {pictures} pictures"
-    ))
+    Error::Request(format!("a report needs the pictures of all its {what}: {results} have results, {pictures} pictures"))
 }
 
 /// A report that is written while the run goes on, so that pictures need not be kept: begin, for each scene its reference and
@@ -107,10 +105,7 @@ impl HtmlReport {
         let staging = Staging::begin(dir)?;
         let pictures = staging.path().join("pictures");
         std::fs::create_dir(&pictures).map_err(Error::io("create the folder", &pictures))?;
-        Ok(Self {
-            staging,
-            scenes: Vec::new(),
-        })
+        Ok(Self { staging, scenes: Vec::new() })
     }
 
     /// Adds the next scene with its reference.
@@ -121,11 +116,7 @@ impl HtmlReport {
     pub fn add_scene(&mut self, name: &str, reference: &DisplayPicture) -> Result<()> {
         let file = format!("pictures/{:02}-{}-reference.png", self.scenes.len() + 1, slug(name));
         self.save(&file, reference)?;
-        self.scenes.push(SceneFiles {
-            name: name.into(),
-            reference: file,
-            methods: Vec::new(),
-        });
+        self.scenes.push(SceneFiles { name: name.into(), reference: file, methods: Vec::new() });
         Ok(())
     }
 
@@ -139,16 +130,9 @@ impl HtmlReport {
         let Some(scene) = self.scenes.last() else {
             return Err(Error::Request("a report needs a scene before a method".into()));
         };
-        let stem = format!(
-            "pictures/{number:02}-{}-{:02}-{}",
-            slug(&scene.name),
-            scene.methods.len() + 1,
-            slug(spec)
-        );
-        let files = MethodFiles {
-            capture: format!("{stem}.png"),
-            error_map: pictures.error_map.map(|_| format!("{stem}-error.png")),
-        };
+        let stem = format!("pictures/{number:02}-{}-{:02}-{}", slug(&scene.name), scene.methods.len() + 1, slug(spec));
+        let files =
+            MethodFiles { capture: format!("{stem}.png"), error_map: pictures.error_map.map(|_| format!("{stem}-error.png")) };
         self.save(&files.capture, pictures.capture)?;
         if let (Some(file), Some(map)) = (&files.error_map, pictures.error_map) {
             self.save(file, map)?;
@@ -163,12 +147,7 @@ impl HtmlReport {
     ///
     /// [`Error::Request`] if the scenes that were added are not those of the results; [`Error::Io`] if it cannot be written.
     pub fn finish(self, results: &Results) -> Result<()> {
-        if !self
-            .scenes
-            .iter()
-            .map(|scene| &scene.name)
-            .eq(results.scenes.iter().map(|scene| &scene.name))
-        {
+        if !self.scenes.iter().map(|scene| &scene.name).eq(results.scenes.iter().map(|scene| &scene.name)) {
             return Err(mismatch("scenes", results.scenes.len(), self.scenes.len()));
         }
         let page = page::page(results, &self.scenes, &Labels::of(results));
@@ -184,13 +163,7 @@ impl HtmlReport {
 
 /// A name as part of a file's name on any system: lower-case letters, digits and hyphens.
 fn slug(name: &str) -> String {
-    let plain = name.chars().map(|c| {
-        if c.is_ascii_alphanumeric() {
-            c.to_ascii_lowercase()
-        } else {
-            '-'
-        }
-    });
+    let plain = name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' });
     let slug: String = plain.take(48).collect();
     let slug = slug.trim_matches('-');
     if slug.is_empty() { "unnamed".into() } else { slug.into() }

@@ -29,10 +29,7 @@ impl Labels {
 
     /// The label of a method.
     pub(super) fn get(&self, spec: &str) -> String {
-        self.0
-            .get(spec)
-            .cloned()
-            .unwrap_or_else(|| shorten(&printable(spec), LONGEST))
+        self.0.get(spec).cloned().unwrap_or_else(|| shorten(&printable(spec), LONGEST))
     }
 }
 
@@ -52,21 +49,10 @@ fn candidate(spec: &str, all: &[String]) -> String {
         return spec.into();
     }
     let (name, options) = parts(spec);
-    let family: Vec<Vec<&str>> = all
-        .iter()
-        .map(|other| parts(other))
-        .filter(|other| other.0 == name)
-        .map(|other| other.1)
-        .collect();
-    let telling: Vec<&str> = options
-        .into_iter()
-        .filter(|option| !family.iter().all(|other| other.contains(option)))
-        .collect();
-    if telling.is_empty() {
-        name.into()
-    } else {
-        format!("{name}:{}", telling.join(","))
-    }
+    let family: Vec<Vec<&str>> =
+        all.iter().map(|other| parts(other)).filter(|other| other.0 == name).map(|other| other.1).collect();
+    let telling: Vec<&str> = options.into_iter().filter(|option| !family.iter().all(|other| other.contains(option))).collect();
+    if telling.is_empty() { name.into() } else { format!("{name}:{}", telling.join(",")) }
 }
 
 /// Name and options of a method. A combination `a+b` keeps its second part among the options of the first.

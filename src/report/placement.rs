@@ -25,19 +25,11 @@ const POINT: i32 = 6;
 /// be. The first points choose first; a label goes to the right of its point if there is room.
 pub(super) fn place(points: &[(i32, i32, i32, i32)], line: &[(i32, i32)], bounds: Rect) -> Vec<Rect> {
     let line = along(line);
-    let dots: Vec<Rect> = points
-        .iter()
-        .map(|&(x, y, _, _)| Rect([x - POINT, y - POINT, x + POINT, y + POINT]))
-        .collect();
+    let dots: Vec<Rect> = points.iter().map(|&(x, y, _, _)| Rect([x - POINT, y - POINT, x + POINT, y + POINT])).collect();
     let mut placed: Vec<Rect> = Vec::new();
     for &point in points {
         let hidden = |rect: &Rect| {
-            let others = dots
-                .iter()
-                .chain(&placed)
-                .chain(&line)
-                .map(|other| rect.overlap(*other))
-                .sum::<i64>();
+            let others = dots.iter().chain(&placed).chain(&line).map(|other| rect.overlap(*other)).sum::<i64>();
             // Leaving the plot is worse than covering something in it.
             others + 4 * (rect.area() - rect.overlap(bounds))
         };
@@ -67,12 +59,7 @@ fn candidates((x, y, width, height): (i32, i32, i32, i32)) -> Vec<Rect> {
     let mut places = vec![at(right, level), at(left, level), at(middle, above), at(middle, below)];
     for step in 1..=4 {
         let shift = step * (height / 2 + 1);
-        places.extend([
-            at(right, level - shift),
-            at(right, level + shift),
-            at(left, level - shift),
-            at(left, level + shift),
-        ]);
+        places.extend([at(right, level - shift), at(right, level + shift), at(left, level - shift), at(left, level + shift)]);
     }
     places
 }

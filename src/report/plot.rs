@@ -40,11 +40,7 @@ pub(super) fn svg(points: &[Point]) -> Option<String> {
 
 /// Within HTML the name space goes without saying, and a page should name no address at all.
 fn for_a_page(text: &str) -> String {
-    text.replacen(
-        " xmlns=\"http://www.w3.org/2000/svg\"",
-        " role=\"img\" aria-label=\"total time against mean FLIP error\"",
-        1,
-    )
+    text.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", " role=\"img\" aria-label=\"total time against mean FLIP error\"", 1)
 }
 
 fn draw(canvas: &Canvas<'_>, points: &[Point]) -> Drawn {
@@ -60,11 +56,7 @@ fn draw(canvas: &Canvas<'_>, points: &[Point]) -> Drawn {
     canvas.draw(&PathElement::new(front.clone(), UNBEATEN.stroke_width(2)))?;
     for point in &points {
         let color = if point.unbeaten { UNBEATEN } else { BEATEN };
-        let style = if point.unbeaten {
-            color.filled()
-        } else {
-            color.stroke_width(2)
-        };
+        let style = if point.unbeaten { color.filled() } else { color.stroke_width(2) };
         canvas.draw(&Circle::new(at(point), 5, style))?;
     }
     draw_labels(canvas, &points, &front, at)
@@ -84,14 +76,7 @@ fn draw_axes(canvas: &Canvas<'_>, times: &Axis, errors: &Axis) -> Drawn {
     }
     canvas.draw(&PathElement::new([(left, top), (left, bottom), (right, bottom)], MUTED))?;
     let middle = i32::midpoint(left, right);
-    write(
-        canvas,
-        "total time in ms (logarithmic)",
-        (middle, bottom + 28),
-        MUTED,
-        HPos::Center,
-        VPos::Top,
-    )?;
+    write(canvas, "total time in ms (logarithmic)", (middle, bottom + 28), MUTED, HPos::Center, VPos::Top)?;
     let upright = style(MUTED, HPos::Center, VPos::Top).transform(FontTransform::Rotate270);
     canvas.draw(&Text::new("mean FLIP error", (4, i32::midpoint(top, bottom)), upright))
 }
@@ -112,14 +97,7 @@ fn draw_labels(canvas: &Canvas<'_>, points: &[&Point], front: &[(i32, i32)], at:
             x if x > right => (right, HPos::Right),
             _ => (i32::midpoint(left, right), HPos::Center),
         };
-        write(
-            canvas,
-            &point.label,
-            (x, i32::midpoint(top, bottom)),
-            color,
-            anchor,
-            VPos::Center,
-        )?;
+        write(canvas, &point.label, (x, i32::midpoint(top, bottom)), color, anchor, VPos::Center)?;
     }
     Ok(())
 }
@@ -131,11 +109,7 @@ fn width_of(label: &str) -> i32 {
 
 fn style(color: RGBColor, horizontal: HPos, vertical: VPos) -> TextStyle<'static> {
     let font = ("sans-serif", LETTERS * 1.24).into_font();
-    TextStyle {
-        font,
-        color: color.to_backend_color(),
-        pos: Pos::new(horizontal, vertical),
-    }
+    TextStyle { font, color: color.to_backend_color(), pos: Pos::new(horizontal, vertical) }
 }
 
 fn write(canvas: &Canvas<'_>, text: &str, at: (i32, i32), color: RGBColor, horizontal: HPos, vertical: VPos) -> Drawn {
@@ -147,21 +121,12 @@ mod tests {
     use super::*;
 
     fn point(label: &str, time_ms: f64, error: f64, unbeaten: bool) -> Point {
-        Point {
-            label: label.into(),
-            time_ms,
-            error,
-            unbeaten,
-        }
+        Point { label: label.into(), time_ms, error, unbeaten }
     }
 
     #[test]
     fn points_are_labelled_and_the_unbeaten_joined() {
-        let points = [
-            point("none", 1.0, 0.05, true),
-            point("ssaa", 9.0, 0.01, true),
-            point("slow", 20.0, 0.04, false),
-        ];
+        let points = [point("none", 1.0, 0.05, true), point("ssaa", 9.0, 0.01, true), point("slow", 20.0, 0.04, false)];
         let svg = svg(&points).expect("points");
         for text in ["none", "ssaa", "slow", "total time in ms (logarithmic)", "mean FLIP error"] {
             assert!(svg.contains(text), "{text} in {svg}");

@@ -31,12 +31,7 @@ pub(super) fn of_scene(scene: &SceneResult, labels: &Labels) -> Points {
         let label = labels.get(&method.spec);
         match (time_and_error(method), &method.outcome) {
             (Some((time_ms, error)), Outcome::Scored { timing, .. }) => {
-                points.shown.push(Point {
-                    label,
-                    time_ms,
-                    error,
-                    unbeaten: timing.unbeaten,
-                });
+                points.shown.push(Point { label, time_ms, error, unbeaten: timing.unbeaten });
             }
             _ => points.omitted.push(label),
         }
@@ -50,20 +45,13 @@ pub(super) fn over_all(results: &Results, labels: &Labels) -> Points {
     for spec in distinct(results) {
         let label = labels.get(&spec);
         match means(results, &spec) {
-            Some((time_ms, error)) => points.shown.push(Point {
-                label,
-                time_ms,
-                error,
-                unbeaten: false,
-            }),
+            Some((time_ms, error)) => points.shown.push(Point { label, time_ms, error, unbeaten: false }),
             None => points.omitted.push(label),
         }
     }
     let all = points.shown.clone();
     for point in &mut points.shown {
-        point.unbeaten = !all
-            .iter()
-            .any(|other| other.time_ms < point.time_ms && other.error < point.error);
+        point.unbeaten = !all.iter().any(|other| other.time_ms < point.time_ms && other.error < point.error);
     }
     points
 }
@@ -73,13 +61,7 @@ pub(super) fn means(results: &Results, spec: &str) -> Option<(f64, f64)> {
     let each: Option<Vec<(f64, f64)>> = results
         .scenes
         .iter()
-        .map(|scene| {
-            scene
-                .methods
-                .iter()
-                .find(|method| method.spec == spec)
-                .and_then(time_and_error)
-        })
+        .map(|scene| scene.methods.iter().find(|method| method.spec == spec).and_then(time_and_error))
         .collect();
     let each = each.filter(|each| !each.is_empty())?;
     let n = each.len() as f64;

@@ -7,14 +7,8 @@ use crate::suite::*;
 /// Size of the sample's pictures in pixels.
 pub(super) const SIZE: [u32; 2] = [160, 90];
 
-const SPECS: [&str; 6] = [
-    "none",
-    "ssaa:spp=4,pattern=rotated-grid",
-    "msaa:samples=16",
-    "msaa:samples=4,resolve=box",
-    "taa",
-    "ssaa:spp=64",
-];
+const SPECS: [&str; 6] =
+    ["none", "ssaa:spp=4,pattern=rotated-grid", "msaa:samples=16", "msaa:samples=4,resolve=box", "taa", "ssaa:spp=64"];
 
 /// Two scenes by that many methods. The third method fails, the fifth has broken pixels, the sixth equals the reference.
 pub(super) fn results(methods: usize) -> Results {
@@ -24,18 +18,9 @@ pub(super) fn results(methods: usize) -> Results {
         frame: 0,
         reference: ReferenceResult {
             spec: "ssaa:spp=2500".into(),
-            noise_floor: Some(NoiseFloor {
-                rms: 1.2e-4,
-                max: 3.1e-3,
-            }),
-            analytic: Some(AnalyticDistance {
-                rms: 2.0e-4,
-                max: 4.2e-3,
-            }),
-            timing: ReferenceTiming {
-                seconds: 12.0,
-                cached: false,
-            },
+            noise_floor: Some(NoiseFloor { rms: 1.2e-4, max: 3.1e-3 }),
+            analytic: Some(AnalyticDistance { rms: 2.0e-4, max: 4.2e-3 }),
+            timing: ReferenceTiming { seconds: 12.0, cached: false },
         },
         methods: (0..methods).map(|i| method(i, slower)).collect(),
     };
@@ -49,56 +34,30 @@ pub(super) fn results(methods: usize) -> Results {
             driver_version: "Mesa 22.3.6 (LLVM 15.0.6)".into(),
             backend: "vulkan".into(),
         },
-        command: ["score", "edges", "fence", "-m", "none", "--size", "160x90"]
-            .map(String::from)
-            .to_vec(),
+        command: ["score", "edges", "fence", "-m", "none", "--size", "160x90"].map(String::from).to_vec(),
         size: SIZE,
         scenes: vec![scene("edges", 1.0), scene("fence", 2.5)],
     }
 }
 
 fn method(i: usize, slower: f64) -> MethodResult {
-    let spec = SPECS
-        .get(i)
-        .map_or_else(|| format!("ssaa:spp={}", i * i), ToString::to_string);
+    let spec = SPECS.get(i).map_or_else(|| format!("ssaa:spp={}", i * i), ToString::to_string);
     let outcome = match i {
-        2 => Outcome::Failed {
-            error: "this adapter has 1 and 4 samples, not 16; choose one of them".into(),
-        },
+        2 => Outcome::Failed { error: "this adapter has 1 and 4 samples, not 16; choose one of them".into() },
         _ => scored(i, slower),
     };
     MethodResult { spec, outcome }
 }
 
 fn scored(i: usize, slower: f64) -> Outcome {
-    let ms = |ms: f64| Spread {
-        median: ms,
-        min: 0.95 * ms,
-        max: 1.1 * ms,
-        repeats: 7,
-    };
+    let ms = |ms: f64| Spread { median: ms, min: 0.95 * ms, max: 1.1 * ms, repeats: 7 };
     let draw = slower * 1.3 * (1 + i * i) as f64;
-    let passes = (1..=i.min(2))
-        .map(|k| PassTiming {
-            pass: format!("pass {k}"),
-            runs: k as u32,
-            ms: ms(0.2 * slower),
-        })
-        .collect();
+    let passes = (1..=i.min(2)).map(|k| PassTiming { pass: format!("pass {k}"), runs: k as u32, ms: ms(0.2 * slower) }).collect();
     Outcome::Scored {
         samples_per_pixel: (1 + i * i) as f64,
         target_bytes: 460_800 * (1 + i as u64),
-        scores: METRICS
-            .iter()
-            .map(|metric| Score {
-                metric: metric.id.into(),
-                value: value(metric.name, i),
-            })
-            .collect(),
-        non_finite: (i == 4).then_some(NonFinite {
-            pixels: 3,
-            first: [4, 2],
-        }),
+        scores: METRICS.iter().map(|metric| Score { metric: metric.id.into(), value: value(metric.name, i) }).collect(),
+        non_finite: (i == 4).then_some(NonFinite { pixels: 3, first: [4, 2] }),
         timing: Timing {
             draw_ms: ms(draw),
             passes,

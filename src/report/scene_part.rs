@@ -60,13 +60,7 @@ fn table(scene: &SceneResult, labels: &Labels) -> Markup {
 fn row(method: &MethodResult, labels: &Labels) -> Markup {
     let label = labels.get(&method.spec);
     match &method.outcome {
-        Outcome::Scored {
-            samples_per_pixel,
-            target_bytes,
-            timing,
-            non_finite,
-            ..
-        } => html! {
+        Outcome::Scored { samples_per_pixel, target_bytes, timing, non_finite, .. } => html! {
             tr.unbeaten[timing.unbeaten] {
                 th scope="row" {
                     (star(timing.unbeaten)) (label)
@@ -119,11 +113,8 @@ const ERROR_CAPTION: &str = "FLIP error map: black 0, pale yellow 1, green not f
 
 /// The pictures of the scene. The script makes it move; without it the first method is seen beside its reference.
 fn viewer(scene: &SceneResult, files: &SceneFiles, size: [u32; 2], labels: &Labels) -> Markup {
-    let shown: Vec<(&MethodResult, &MethodFiles)> = scene
-        .methods
-        .iter()
-        .filter_map(|method| Some((method, files.method(&method.spec)?)))
-        .collect();
+    let shown: Vec<(&MethodResult, &MethodFiles)> =
+        scene.methods.iter().filter_map(|method| Some((method, files.method(&method.spec)?))).collect();
     let Some((_, first)) = shown.first() else {
         return html! { p.note { "No method made a picture of this scene." } };
     };

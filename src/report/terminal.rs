@@ -7,9 +7,8 @@ use comfy_table::{Cell, CellAlignment, ContentArrangement, LineStyle, Table, Tab
 /// The width that every line keeps to, in characters.
 pub const TABLE_WIDTH: usize = 100;
 
-const HEADINGS: [&str; 13] = [
-    "method", "draw", "passes", "total", "±", "spp", "MB", "PSNR", "linear", "SSIM", "FLIP", "p99", "max",
-];
+const HEADINGS: [&str; 13] =
+    ["method", "draw", "passes", "total", "±", "spp", "MB", "PSNR", "linear", "SSIM", "FLIP", "p99", "max"];
 
 const LEGEND: &str = "★ no other method of the scene is both faster and nearer to the reference (mean FLIP). \
     draw, passes, total: milliseconds, medians; ±: half the range of the total. spp: samples shaded a pixel. \
@@ -28,11 +27,7 @@ pub fn table(results: &Results, color: bool) -> String {
         lines.push(String::new());
     }
     lines.extend(wrap(LEGEND, TABLE_WIDTH).iter().map(|line| ink.dim(line)));
-    lines.extend(
-        wrap(&words::stamp(&results.stamp), TABLE_WIDTH)
-            .iter()
-            .map(|line| ink.dim(line)),
-    );
+    lines.extend(wrap(&words::stamp(&results.stamp), TABLE_WIDTH).iter().map(|line| ink.dim(line)));
     lines.join("\n") + "\n"
 }
 
@@ -40,11 +35,7 @@ fn title(scene: &SceneResult, [width, height]: [u32; 2], ink: &Ink, lines: &mut 
     let name = shorten(&printable(&scene.name), TABLE_WIDTH - 40);
     lines.push(ink.bold(&format!("{name} · {width}x{height}, frame {}", scene.frame)));
     lines.extend(wrap(&printable(&scene.about), TABLE_WIDTH));
-    lines.extend(
-        wrap(&words::reference(&scene.reference), TABLE_WIDTH)
-            .iter()
-            .map(|line| ink.dim(line)),
-    );
+    lines.extend(wrap(&words::reference(&scene.reference), TABLE_WIDTH).iter().map(|line| ink.dim(line)));
 }
 
 /// The scene's table. The layout crate sets the columns; what spans them (long names, errors, notes) goes between its lines.
@@ -86,21 +77,14 @@ fn push_method(
             lines.extend(laid_out.next().map(|line| marked(&line)));
             if let Some(found) = non_finite {
                 let [x, y] = found.first;
-                let note = format!(
-                    "    {} pixels are NaN or infinite, the first in column {x}, row {y}",
-                    found.pixels
-                );
+                let note = format!("    {} pixels are NaN or infinite, the first in column {x}, row {y}", found.pixels);
                 lines.push(ink.yellow(&note));
             }
         }
         Outcome::Failed { error } => {
             lines.push(ink.red(&shorten(&format!("✗ {}", printable(&method.spec)), TABLE_WIDTH)));
             let text = format!("failed: {}", printable(error));
-            lines.extend(
-                wrap(&text, TABLE_WIDTH - 4)
-                    .iter()
-                    .map(|line| ink.red(&format!("    {line}"))),
-            );
+            lines.extend(wrap(&text, TABLE_WIDTH - 4).iter().map(|line| ink.red(&format!("    {line}"))));
         }
     }
 }
@@ -120,24 +104,14 @@ fn name(method: &MethodResult, room: usize) -> Option<String> {
 
 /// The figures of a line, after the method.
 fn figures(method: &MethodResult) -> Option<[String; 12]> {
-    let Outcome::Scored {
-        samples_per_pixel,
-        target_bytes,
-        timing,
-        ..
-    } = &method.outcome
-    else {
+    let Outcome::Scored { samples_per_pixel, target_bytes, timing, .. } = &method.outcome else {
         return None;
     };
     let passes: f64 = timing.passes.iter().map(|pass| pass.ms.median).sum();
     let scored = |metric: &str| figure(metric, score(&method.outcome, metric));
     Some([
         three_digits(timing.draw_ms.median),
-        if timing.passes.is_empty() {
-            words::NONE.into()
-        } else {
-            three_digits(passes)
-        },
+        if timing.passes.is_empty() { words::NONE.into() } else { three_digits(passes) },
         three_digits(timing.total_ms.median),
         words::spread_percent(&timing.total_ms),
         words::samples(*samples_per_pixel),
@@ -178,11 +152,7 @@ struct Ink {
 
 impl Ink {
     fn paint(&self, code: u8, text: &str) -> String {
-        if self.color && !text.is_empty() {
-            format!("\u{1b}[{code}m{text}\u{1b}[0m")
-        } else {
-            text.to_string()
-        }
+        if self.color && !text.is_empty() { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_string() }
     }
 
     fn bold(&self, text: &str) -> String {
@@ -219,16 +189,10 @@ mod tests {
         results.scenes[0].reference.spec = long.clone();
         results.scenes[0].name = long.clone();
         results.scenes[0].about = "An explanation that goes on. ".repeat(9);
-        results.scenes[0].methods[3].outcome = Outcome::Failed {
-            error: format!("it needs {long} and more of it"),
-        };
+        results.scenes[0].methods[3].outcome = Outcome::Failed { error: format!("it needs {long} and more of it") };
         let text = table(&results, false);
         for line in text.lines() {
-            assert!(
-                line.chars().count() <= TABLE_WIDTH,
-                "{} characters: {line}",
-                line.chars().count()
-            );
+            assert!(line.chars().count() <= TABLE_WIDTH, "{} characters: {line}", line.chars().count());
         }
         assert!(!text.contains('\u{1b}'));
     }
@@ -236,11 +200,8 @@ mod tests {
     #[test]
     fn marks_words_and_failures_are_shown() {
         let text = table(&sample::results(6), false);
-        let line = |start: &str| {
-            text.lines()
-                .find(|line| line.starts_with(start))
-                .unwrap_or_else(|| panic!("no {start} in\n{text}"))
-        };
+        let line =
+            |start: &str| text.lines().find(|line| line.starts_with(start)).unwrap_or_else(|| panic!("no {start} in\n{text}"));
         assert!(line("★ none").contains("24.10"));
         assert!(line("✗ msaa:samples=16").len() > 5 && text.contains("failed: this adapter has 1 and 4 samples, not 16"));
         assert!(text.contains("inf") && text.contains("NaN"));

@@ -14,10 +14,7 @@ fn write(dir: &Path, results: &Results) -> crate::Result<()> {
         .iter()
         .map(|capture| crate::metrics::error_map(&crate::metrics::Pair::new(capture, &reference)?))
         .collect::<crate::Result<_>>()?;
-    let pictures = |i: usize| MethodPictures {
-        capture: &captures[i % 6],
-        error_map: Some(&maps[i % 6]),
-    };
+    let pictures = |i: usize| MethodPictures { capture: &captures[i % 6], error_map: Some(&maps[i % 6]) };
     let scenes = results.scenes.iter().map(|scene| ScenePictures {
         reference: &reference,
         methods: scene
@@ -27,13 +24,7 @@ fn write(dir: &Path, results: &Results) -> crate::Result<()> {
             .map(|(i, method)| matches!(method.outcome, crate::suite::Outcome::Scored { .. }).then(|| pictures(i)))
             .collect(),
     });
-    write_html(
-        dir,
-        &ReportInput {
-            results,
-            scenes: scenes.collect(),
-        },
-    )
+    write_html(dir, &ReportInput { results, scenes: scenes.collect() })
 }
 
 fn page_of(results: &Results) -> String {
@@ -61,11 +52,7 @@ fn the_page_loads_nothing_but_its_pictures() {
     for address in ["http://", "https://", "src=\"//", "url(", "@import", "fetch("] {
         assert!(!page.contains(address), "{address}");
     }
-    let sources: Vec<&str> = page
-        .split("src=\"")
-        .skip(1)
-        .filter_map(|rest| rest.split('"').next())
-        .collect();
+    let sources: Vec<&str> = page.split("src=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
     assert_eq!(sources.len(), 20);
     for source in sources {
         assert!(dir.join(source).is_file(), "{source}");
@@ -136,22 +123,12 @@ fn pictures_must_belong_to_the_results() {
     let home = tempfile::tempdir().expect("a folder");
     let dir = home.path().join("report");
     let results = sample::results(2);
-    let none = write_html(
-        &dir,
-        &ReportInput {
-            results: &results,
-            scenes: vec![],
-        },
-    );
+    let none = write_html(&dir, &ReportInput { results: &results, scenes: vec![] });
     assert!(matches!(none, Err(Error::Request(_))), "{none:?}");
     let mut report = HtmlReport::begin(&dir).expect("begun");
     report.add_scene("another", &sample::picture(1.0)).expect("saved");
     assert!(matches!(report.finish(&results), Err(Error::Request(_))));
-    assert_eq!(
-        fs::read_dir(home.path()).expect("a folder").count(),
-        0,
-        "nothing is left behind"
-    );
+    assert_eq!(fs::read_dir(home.path()).expect("a folder").count(), 0, "nothing is left behind");
 }
 
 /// Writes a report to look at into the folder that `DEJAG_SAMPLE_REPORT` names.

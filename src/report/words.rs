@@ -22,11 +22,7 @@ pub(super) fn three_digits(x: f64) -> String {
 
 /// Samples a pixel: a whole number as such, else to three digits.
 pub(super) fn samples(x: f64) -> String {
-    if x.fract() == 0.0 && (0.0..1e5).contains(&x) {
-        format!("{x:.0}")
-    } else {
-        three_digits(x)
-    }
+    if x.fract() == 0.0 && (0.0..1e5).contains(&x) { format!("{x:.0}") } else { three_digits(x) }
 }
 
 /// Bytes as 10^6 bytes.
@@ -70,11 +66,7 @@ fn number(metric: &str, x: f64) -> String {
         "max-error" => 1,
         _ => 4,
     };
-    if x.abs() < 1e5 {
-        format!("{x:.digits$}")
-    } else {
-        format!("{x:.1e}")
-    }
+    if x.abs() < 1e5 { format!("{x:.digits$}") } else { format!("{x:.1e}") }
 }
 
 /// The figure of the metric of that name; [`Value::NotApplicable`] if the results do not have it in the version known here.
@@ -91,17 +83,8 @@ pub(super) fn score(outcome: &Outcome, metric: &str) -> Value {
 
 /// What drew the pictures, in a line.
 pub(super) fn stamp(stamp: &Stamp) -> String {
-    let Stamp {
-        dejag,
-        adapter,
-        kind,
-        driver,
-        driver_version,
-        backend,
-    } = stamp;
-    printable(&format!(
-        "{adapter} ({kind}) · {driver} {driver_version} · {backend} · dejag {dejag}"
-    ))
+    let Stamp { dejag, adapter, kind, driver, driver_version, backend } = stamp;
+    printable(&format!("{adapter} ({kind}) · {driver} {driver_version} · {backend} · dejag {dejag}"))
 }
 
 /// The reference and how far it can be trusted, in a line.
@@ -121,11 +104,7 @@ pub(super) fn noise_floor(floor: &NoiseFloor) -> String {
 /// Scenes, methods and size of a run, such as "4 scenes, 6 methods, 320x180".
 pub(super) fn extent(scenes: &[SceneResult], methods: usize, [width, height]: [u32; 2]) -> String {
     let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
-    format!(
-        "{}, {}, {width}x{height}",
-        plural(scenes.len(), "scene"),
-        plural(methods, "method")
-    )
+    format!("{}, {}, {width}x{height}", plural(scenes.len(), "scene"), plural(methods, "method"))
 }
 
 /// Text without control characters, which could move a terminal's cursor or break an SVG.
@@ -177,9 +156,7 @@ pub(super) fn shell_line(program: &str, arguments: &[String]) -> String {
             format!("'{}'", argument.replace('\'', r"'\''"))
         }
     };
-    let parts: Vec<String> = std::iter::once(program.to_string())
-        .chain(arguments.iter().map(quoted))
-        .collect();
+    let parts: Vec<String> = std::iter::once(program.to_string()).chain(arguments.iter().map(quoted)).collect();
     parts.join(" ")
 }
 
@@ -189,28 +166,9 @@ mod tests {
 
     #[test]
     fn three_digits_fit_five_characters() {
-        let shown = [
-            0.0,
-            0.0001,
-            0.0123,
-            0.0999,
-            0.5,
-            1.234,
-            9.996,
-            12.34,
-            99.96,
-            1234.5,
-            99_999.9,
-            1e300,
-            f64::NAN,
-        ]
-        .map(three_digits);
-        assert_eq!(
-            shown,
-            [
-                "0", "<.001", "0.012", "0.100", "0.50", "1.23", "10.0", "12.3", "100", "1234", "1e5", "1e300", NONE
-            ]
-        );
+        let shown =
+            [0.0, 0.0001, 0.0123, 0.0999, 0.5, 1.234, 9.996, 12.34, 99.96, 1234.5, 99_999.9, 1e300, f64::NAN].map(three_digits);
+        assert_eq!(shown, ["0", "<.001", "0.012", "0.100", "0.50", "1.23", "10.0", "12.3", "100", "1234", "1e5", "1e300", NONE]);
         assert!(shown.iter().all(|text| text.chars().count() <= 5));
     }
 
@@ -231,10 +189,7 @@ mod tests {
     #[test]
     fn commands_are_quoted_for_the_shell() {
         let arguments = ["score", "it's", "", "a b", "smaa:preset=ultra"].map(String::from);
-        assert_eq!(
-            shell_line("dejag", &arguments),
-            r"dejag score 'it'\''s' '' 'a b' smaa:preset=ultra"
-        );
+        assert_eq!(shell_line("dejag", &arguments), r"dejag score 'it'\''s' '' 'a b' smaa:preset=ultra");
     }
 
     #[test]
