@@ -3,6 +3,8 @@
 //! In one process, in turns, medians. A plain draw is rgba16float with a cleared depth, 50 to a submission; a sum adds the same 50
 //! jitters into one rgba32float target.
 
+#![expect(clippy::print_stdout, reason = "its table is its output")]
+
 use std::time::Instant;
 
 use dejag::forward::{Forward, Targets};

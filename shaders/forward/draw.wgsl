@@ -52,7 +52,6 @@ struct SurfaceVertex {
     @location(2) camera_relative: vec3<f32>,
     @location(3) normal: vec3<f32>,
     @location(4) tangent: vec4<f32>,
-    @location(5) @interpolate(flat) instance: u32,
 }
 
 @vertex
@@ -73,7 +72,6 @@ fn vs_surface(
         (to_space * vec4<f32>(position, 1.0)).xyz,
         (objects[object].normal_from_object * vec4<f32>(normal, 0.0)).xyz,
         vec4<f32>((to_space * vec4<f32>(tangent.xyz, 0.0)).xyz, tangent.w * objects[object].handedness),
-        instance,
     );
 }
 
@@ -133,8 +131,8 @@ fn fs_color(in: SurfaceVertex, @builtin(front_facing) front: bool) -> @location(
 // A weighted sum over jitters: the background is added once for all of them (fs_background), so a surface adds its difference to it.
 @fragment
 fn fs_sum(in: SurfaceVertex, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let color = surface_color(in, front).rgb;
-    return vec4<f32>(jitters[jitter_of(in.instance)].weight * (color - frame.background.rgb), 0.0);
+    // The jitter's weight is the blend constant.
+    return vec4<f32>(surface_color(in, front).rgb - frame.background.rgb, 0.0);
 }
 
 @fragment

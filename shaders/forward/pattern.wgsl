@@ -9,10 +9,10 @@ const PATTERN_GRADIENT: u32 = 6u;
 
 const TAU: f32 = 6.283185307;
 
-// Half the width of a leaf at v, as a part of its greatest: a point at each end, widest below the middle.
+// Half the width of a leaf at v, as a part of its greatest: rounded at the stalk, a third of the way up widest, drawn out to a tip.
 fn leaf_half_width(v: f32) -> f32 {
     let along = clamp(v, 0.0, 1.0);
-    return sin(0.5 * TAU * pow(along, 0.8)) * (1.0 - 0.25 * along);
+    return 6.75 * along * (1.0 - along) * (1.0 - along);
 }
 
 // Colour and opacity of the surface before light.

@@ -9,7 +9,7 @@ struct FrameUniforms {
     // World-space direction from the scene to the camera if w is 1 (parallel rays); else it follows from the position.
     to_camera: vec4<f32>,
     size_px: vec2<f32>,
-    // Sum of the weights of all jitters of this draw.
+    // Of all jitters of this draw.
     sum_of_weights: f32,
     padding: f32,
 }
@@ -30,8 +30,6 @@ struct Object {
 struct Jitter {
     // Added to clip x and y after multiplication with w.
     offset_ndc: vec2<f32>,
-    weight: f32,
-    padding: f32,
 }
 
 struct MaterialUniforms {

@@ -150,6 +150,8 @@ fn record_sum(forward: &mut Forward, recorder: &mut Recorder<'_>, request: &Draw
                 let [far, near] = depth_slice(place, chunk.len() as u32);
                 pass.set_viewport(0.0, 0.0, width, height, far, near);
                 pass.set_stencil_reference(place);
+                let weight = f64::from(request.jitters[jitter as usize].weight);
+                pass.set_blend_constant(wgpu::Color { r: weight, g: weight, b: weight, a: weight });
                 forward.surfaces(pass, Step::Depth, jitter, 1, format, masked);
                 forward.surfaces(pass, Step::Sum, jitter, 1, format, masked);
             }

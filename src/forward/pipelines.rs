@@ -179,7 +179,7 @@ impl Pipelines {
         ];
         let (vertex, fragment, targets) = match step {
             Step::Color { format, .. } => ("vs_surface", Some("fs_color"), vec![Some(format.into())]),
-            Step::Sum => ("vs_surface", Some("fs_sum"), vec![Some(additive())]),
+            Step::Sum => ("vs_surface", Some("fs_sum"), vec![Some(additive(wgpu::BlendFactor::Constant))]),
             Step::Depth if kind.masked => ("vs_mask", Some("fs_mask"), vec![]),
             Step::Depth => ("vs_depth", None, vec![]),
             Step::Extras { motion, ids } => {
@@ -226,7 +226,7 @@ impl Pipelines {
 
     fn make_fill(&self, fill: Fill, samples: u32, masked_draw: bool) -> wgpu::RenderPipeline {
         let (layout, fragment, target) = match fill {
-            Fill::Background => (&self.fill_layout, "fs_background", Some(additive())),
+            Fill::Background => (&self.fill_layout, "fs_background", Some(additive(wgpu::BlendFactor::One))),
             Fill::Stencil { color } => (&self.stencil_layout, "fs_stencil", color.map(no_color_of)),
         };
         let stencil = match fill {
@@ -264,12 +264,9 @@ impl Pipelines {
     }
 }
 
-fn additive() -> wgpu::ColorTargetState {
-    let add = wgpu::BlendComponent {
-        src_factor: wgpu::BlendFactor::One,
-        dst_factor: wgpu::BlendFactor::One,
-        operation: wgpu::BlendOperation::Add,
-    };
+/// Adds what is drawn times `src_factor`.
+fn additive(src_factor: wgpu::BlendFactor) -> wgpu::ColorTargetState {
+    let add = wgpu::BlendComponent { src_factor, dst_factor: wgpu::BlendFactor::One, operation: wgpu::BlendOperation::Add };
     wgpu::ColorTargetState {
         format: wgpu::TextureFormat::Rgba32Float,
         blend: Some(wgpu::BlendState { color: add, alpha: add }),

@@ -178,7 +178,6 @@ impl Resources {
     }
 
     pub(super) fn bytes(&self) -> u64 {
-        #[expect(clippy::iter_over_hash_type, reason = "a sum of integers does not depend on the order")]
         let meshes = self.meshes.values().map(|m| m.positions.size() + m.attributes.size() + m.indices.size()).sum::<u64>();
         self.texture_bytes + meshes + self.objects.size() + self.jitters.size()
     }

@@ -61,8 +61,6 @@ mod jitter {
         /// A jitter as the shader wants it.
         struct Jitter {
             offset_ndc: [f32; 2],
-            weight: f32,
-            padding: f32,
         }
     }
 }
@@ -145,7 +143,7 @@ impl JitterData {
     pub(super) fn of(jitter: &Jitter, size: [u32; 2]) -> Self {
         let [x, y] = jitter.offset_px.map(f64::from);
         let [width, height] = size.map(f64::from);
-        Self { offset_ndc: [(-2.0 * x / width) as f32, (2.0 * y / height) as f32], weight: jitter.weight, padding: 0.0 }
+        Self { offset_ndc: [(-2.0 * x / width) as f32, (2.0 * y / height) as f32] }
     }
 }
 

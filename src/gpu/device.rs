@@ -51,7 +51,7 @@ impl Gpu {
         let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::NOOP));
         let adapter = adapters.into_iter().next().ok_or_else(|| Error::NoAdapter("the no-op backend does not answer".into()))?;
         // What the no-op adapter claims for itself is meaningless: WebGPU's guarantees are what validation should go by.
-        let features = adapter.features() & WANTED - wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES;
+        let features = adapter.features() & (WANTED - wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES);
         Self::from_adapter(adapter, features, wgpu::Limits::default())
     }
 

@@ -68,9 +68,8 @@ impl Kind {
             Self::Integer { min, max } => {
                 text.parse().ok().filter(|x| (min..=max).contains(&x)).map(Value::Integer).ok_or_else(out_of_range)
             }
-            Self::Number { min, max } => number(*min, *max),
             Self::NumberOrAuto { .. } if text == "auto" => Ok(Value::Auto),
-            Self::NumberOrAuto { min, max } => number(*min, *max),
+            Self::Number { min, max } | Self::NumberOrAuto { min, max } => number(*min, *max),
             Self::Choice(names) => {
                 let names = names();
                 let name = names.iter().find(|name| **name == text);

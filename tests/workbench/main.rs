@@ -1,5 +1,7 @@
 //! Everything that needs the whole workbench: pictures, properties, and the command itself. One binary, so that it links once.
 
+#![expect(clippy::print_stdout, reason = "tests say what they measured")]
+
 mod architecture;
 mod command;
 mod common;
