@@ -9,7 +9,7 @@ use super::values::{Color, MaterialUse, Numbers, Scale};
 
 /// A whole scene file.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct SceneDoc {
     /// The file's name without its ending, if left out.
     pub(super) name: Option<String>,
@@ -49,7 +49,7 @@ fn sixtieth() -> f64 {
 }
 
 #[derive(Debug, Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "snake_case", expecting = "the name of a tone map")]
 pub(super) enum ToneMapDoc {
     #[default]
     Clamp,
@@ -59,7 +59,7 @@ pub(super) enum ToneMapDoc {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "snake_case", expecting = "the name of a projection")]
 pub(super) enum ProjectionDoc {
     /// A pinhole: `fov_y_deg`, `near`.
     Perspective,
@@ -71,7 +71,7 @@ pub(super) enum ProjectionDoc {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct CameraDoc {
     pub(super) projection: ProjectionDoc,
     pub(super) fov_y_deg: Option<f64>,
@@ -91,7 +91,7 @@ pub(super) struct CameraDoc {
 
 /// Between two keyframes position and target move on straight lines; before the first and after the last they rest.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct CameraKeyDoc {
     /// Seconds.
     pub(super) time: f64,
@@ -100,7 +100,7 @@ pub(super) struct CameraKeyDoc {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct LightDoc {
     /// The way the light goes.
     pub(super) direction: Option<Numbers<3>>,
@@ -118,7 +118,7 @@ fn unity() -> f64 {
 
 /// A surface. Colours are linear unless written as `"#rrggbb"`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct MaterialDoc {
     #[serde(default = "Color::white")]
     pub(super) color: Color,
@@ -141,7 +141,7 @@ pub(super) struct MaterialDoc {
 }
 
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "snake_case", expecting = "a pattern: \"leaf\", or a table with the pattern's name as its key")]
 pub(super) enum PatternDoc {
     Checker(CheckerDoc),
     Stripes(StripesDoc),
@@ -152,14 +152,14 @@ pub(super) enum PatternDoc {
 }
 
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct CheckerDoc {
     pub(super) cell: f64,
     pub(super) other: Color,
 }
 
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct StripesDoc {
     pub(super) period: f64,
     pub(super) fill: f64,
@@ -167,27 +167,27 @@ pub(super) struct StripesDoc {
 }
 
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct ZonePlateDoc {
     pub(super) phase: f64,
 }
 
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct BumpsDoc {
     pub(super) frequency: f64,
     pub(super) slope: f64,
 }
 
 #[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct GradientDoc {
     pub(super) top: Color,
 }
 
 /// A thing, or many alike.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct ObjectDoc {
     pub(super) name: Option<String>,
     pub(super) shape: Shape,
@@ -213,7 +213,7 @@ pub(super) struct ObjectDoc {
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct MotionDoc {
     /// Metres per second.
     #[serde(default)]
@@ -229,7 +229,7 @@ pub(super) struct MotionDoc {
 
 /// What is left out is the object's own.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct MotionKeyDoc {
     /// Seconds.
     pub(super) time: f64,
@@ -240,7 +240,7 @@ pub(super) struct MotionKeyDoc {
 
 /// A row of copies, each standing to the one before as the second to the first.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct RepeatDoc {
     /// With the first.
     pub(super) count: u32,
@@ -259,7 +259,7 @@ pub(super) struct RepeatDoc {
 
 /// Copies at random places around the object's position.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct ScatterDoc {
     pub(super) count: u32,
     #[serde(default)]
@@ -284,7 +284,7 @@ fn same_size() -> Numbers<2> {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "snake_case", expecting = "\"box\" or \"ellipsoid\"")]
 pub(super) enum Region {
     #[default]
     Box,

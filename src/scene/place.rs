@@ -146,7 +146,22 @@ impl Place<'_> {
 
 /// What toml says, with the place in the house's own form.
 fn syntax_error(path: &str, text: &str, error: &toml::de::Error) -> Error {
-    error_at(path, text, error.span().map_or(0, |span| span.start), error.message().to_owned())
+    let offset = error.span().map_or(0, |span| span.start);
+    error_at(path, text, offset, in_plain_words(error.message()))
+}
+
+/// serde speaks of Rust's types; who writes scenes need not know them.
+fn in_plain_words(message: &str) -> String {
+    const WORDS: [(&str, &str); 6] = [
+        ("expected f64", "expected a number"),
+        ("expected u32", "expected a whole number from 0"),
+        ("expected a boolean", "expected true or false"),
+        ("wanted string or table", "expected a name, or a table with a name as its only key"),
+        ("invalid type: unit variant, expected newtype variant", "expected a table: this name as its key, and its settings"),
+        ("wanted exactly 1 element, more than 1 element", "expected a table with only one key"),
+    ];
+    let known = WORDS.iter().find_map(|(theirs, ours)| Some(format!("{}{ours}", message.strip_suffix(theirs)?)));
+    known.unwrap_or_else(|| message.to_owned())
 }
 
 fn error_at(path: &str, text: &str, offset: usize, message: String) -> Error {

@@ -13,7 +13,7 @@ use crate::scene::values::Numbers;
 
 /// A spoked wheel around z: a round rim, a hub, and spokes between them.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Wheel {
     /// To the outside of the rim.
     radius: f64,
@@ -67,7 +67,7 @@ fn bar_along_z(radius: f64, length: f64, sides: u32) -> Mesh {
 
 /// A piece of wall with a round-headed opening, standing on y = 0, centred in x and z; uv of its faces in metres.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Arch {
     /// Width, height and depth of the wall.
     size: Numbers<3>,

@@ -22,7 +22,7 @@ pub(in crate::scene) enum UvUnit {
 
 /// A rectangle.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Quad {
     /// Width and height.
     size: Numbers<2>,
@@ -48,7 +48,7 @@ impl Quad {
 
 /// A level rectangle in the plane y = 0 facing up; u runs along +x, v along -z.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Ground {
     /// Along x and along z.
     size: Numbers<2>,
@@ -65,7 +65,7 @@ impl Ground {
 
 /// A disk, or a ring where it has a hole.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Disk {
     radius: f64,
     /// Radius of the hole.
@@ -96,7 +96,7 @@ impl Disk {
 
 /// A convex polygon; its points may run either way around.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Polygon {
     /// At least 3, in order.
     points: Vec<Numbers<2>>,
@@ -142,7 +142,7 @@ pub(super) fn convex(points: &[Numbers<2>], at: &Place<'_>) -> Result<Vec<DVec2>
 
 /// A star of thin triangles that do not overlap: each has its tip on the inner circle and its base between two points of the outer.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Wedges {
     /// Evenly spread over the full turn.
     count: u32,

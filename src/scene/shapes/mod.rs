@@ -29,7 +29,7 @@ fn default_segments() -> u32 {
 
 /// What an object is made of, by the shape's name.
 #[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "snake_case", expecting = "a shape: a table with the shape's name as its key")]
 pub(super) enum Shape {
     Quad(flat::Quad),
     Ground(flat::Ground),
@@ -51,7 +51,7 @@ pub(super) enum Shape {
 
 /// A glTF file beside the scene's.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct GltfShape {
     /// Relative to the scene's folder.
     pub(super) path: String,

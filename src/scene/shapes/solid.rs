@@ -15,7 +15,7 @@ use crate::scene::values::Numbers;
 
 /// A box; uv in metres from the centre of each face.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Cuboid {
     /// Along x, y and z.
     size: Numbers<3>,
@@ -36,7 +36,7 @@ impl Cuboid {
 
 /// A sphere; u in metres along the equator, v along the meridian.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Sphere {
     radius: f64,
     /// Around the equator; half as many from pole to pole.
@@ -61,7 +61,7 @@ impl Sphere {
 
 /// The upper half of a sphere seen from inside, for a sky; u runs from 0 to 1 around, v from 0 at the horizon to 1 at the zenith.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Dome {
     radius: f64,
     #[serde(default = "default_segments")]
@@ -85,7 +85,7 @@ impl Dome {
 
 /// A cylinder or a cone along y, with caps.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Cylinder {
     /// At the bottom, and at the top unless that has its own.
     radius: f64,
@@ -141,7 +141,7 @@ fn cap(builder: &mut Builder, radius: f64, y: f64, up: f64, segments: u32) {
 
 /// A ring with a round section around z, in the plane z = 0; u in metres around, v in metres along the section.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Torus {
     /// To the middle of the tube.
     radius: f64,
@@ -190,7 +190,7 @@ pub(super) fn torus(builder: &mut Builder, [radius, tube]: [f64; 2], arc: f64, [
 
 /// A convex polygon in xy given a thickness along z; uv of its ends in metres as (x, y), of its sides from the middle of each.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Prism {
     points: Vec<Numbers<2>>,
     depth: f64,

@@ -49,7 +49,7 @@ pub(in crate::scene) enum Align {
 
 /// Text in the plane z = 0 facing +z. The first line stands on y = 0; each horizontal run of lit pixels is a quad.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct Text {
     /// ASCII; `\n` begins a new line.
     string: String,

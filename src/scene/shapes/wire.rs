@@ -20,7 +20,7 @@ const SHARPEST: f64 = -0.8;
 
 /// A line through points.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub(in crate::scene) struct WireShape {
     /// At least 2.
     points: Vec<Numbers<3>>,
