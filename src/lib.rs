@@ -1,4 +1,62 @@
-//! dejag
+//! Anti-aliasing for wgpu, and the bench that scores it: speed against error.
+//!
+//! Three feature sets keep what you pay for small:
+//!
+//! | feature | what it brings | what it pulls in |
+//! | --- | --- | --- |
+//! | `passes` | methods as passes on your own wgpu device ([`methods`], [`pass`], [`sampling`]) | wgpu, glam, bytemuck |
+//! | `score` | pictures, metrics, reports ([`picture`], [`metrics`], [`report`]) | image, flip-rs, maud, ...; no GPU stack |
+//! | `workbench` (default) | scenes, the forward renderer, captures, the bench, the command | all of it |
+//!
+//! # A capture
+//!
+//! ```no_run
+//! use dejag::capture::Studio;
+//! use dejag::gpu::{AdapterChoice, Gpu};
+//! use dejag::methods::Spec;
+//! use dejag::picture::BitDepth;
+//! use dejag::scene::Scene;
+//!
+//! # #[cfg(feature = "workbench")]
+//! fn main() -> dejag::Result<()> {
+//!     let gpu = Gpu::open(&AdapterChoice::Auto)?;
+//!     let scene = Scene::load("courtyard")?;
+//!     let spec = Spec::parse("ssaa:spp=64,filter=mitchell")?;
+//!     let capture = Studio::new(&gpu, &scene)?.capture(&spec, 0, [1280, 720], &mut ())?;
+//!     capture.display.save_png("courtyard.png".as_ref(), BitDepth::Eight, &[])
+//! }
+//! # #[cfg(not(feature = "workbench"))]
+//! # fn main() {}
+//! ```
+//!
+//! # A method in a program of your own
+//!
+//! A technique says what it needs; the pass it builds asks for draws until it has enough, and records its work into your encoder:
+//!
+//! ```no_run
+//! # #[cfg(feature = "passes")]
+//! # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, output: &wgpu::TextureView, color: &wgpu::TextureView) -> dejag::Result<()> {
+//! use dejag::methods::Spec;
+//! use dejag::pass::{Context, FrameFacts, Inputs, Recorder};
+//!
+//! let spec = Spec::parse("msaa:samples=4,resolve=mitchell,weight=luma")?;
+//! let format = wgpu::TextureFormat::Rgba16Float;
+//! let size = [1280, 720];
+//! let mut pass = spec.stages[0].technique.build(&Context { device, queue, size, input_format: format, output_format: format })?;
+//!
+//! let mut encoder = device.create_command_encoder(&Default::default());
+//! let mut k = 0;
+//! while let Some(draw) = pass.next_draw(k) {
+//!     // Draw your scene here as `draw` says: its samples, its jitters, its target.
+//!     let frame = FrameFacts { index: 0, reset: true, exposure: 1.0 };
+//!     let inputs = Inputs { color, depth: None, motion: None, ids: None, frame };
+//!     pass.record(&mut Recorder::new(&mut encoder), k, &inputs, output);
+//!     k += 1;
+//! }
+//! queue.submit([encoder.finish()]);
+//! # Ok(())
+//! # }
+//! ```
 
 #[cfg(feature = "workbench")]
 pub mod bench;

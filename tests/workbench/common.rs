@@ -27,11 +27,16 @@ pub(crate) fn gpu() -> Gpu {
 
 /// Whether a test of lavapipe's very bits applies. Where it doesn't, its name is added to the list that `make test` prints.
 pub(crate) fn lavapipe_bits(gpu: &Gpu, test: &str) -> bool {
-    if gpu.card.name.contains("llvmpipe") {
-        return true;
+    let software = gpu.card.name.contains("llvmpipe");
+    if !software {
+        not_applicable(gpu, test);
     }
+    software
+}
+
+/// Adds a line to the list that `make test` prints.
+pub(crate) fn not_applicable(gpu: &Gpu, test: &str) {
     let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("not-applicable.txt");
     let mut list = OpenOptions::new().create(true).append(true).open(path).expect("the list can be written");
     writeln!(list, "not applicable on {}: {test}", gpu.card.name).expect("the list can be written");
-    false
 }

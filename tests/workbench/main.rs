@@ -6,5 +6,6 @@ mod architecture;
 mod command;
 mod common;
 mod exact;
+mod goldens;
 mod pictures;
 mod rounds;
