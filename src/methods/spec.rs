@@ -116,4 +116,38 @@ mod tests {
             Spec::parse(method.name).expect(method.name);
         }
     }
+
+    mod fuzz {
+        use super::*;
+        use proptest::prelude::*;
+
+        /// Words that get a parser further than noise does.
+        fn spec_like() -> impl Strategy<Value = String> {
+            let words = prop::sample::select(vec![
+                "none", "ssaa", "msaa", ":", ",", "=", "+", "spp", "pattern", "filter", "radius", "samples", "weight", "a2c",
+                "on", "larcher", "box", "lanczos", "auto", "0", "1", "4", "4096", "-1", "1e300", "nan", "inf", "0x10", "\u{e9}",
+                " ",
+            ]);
+            prop::collection::vec(words, 0..12).prop_map(|words| words.concat())
+        }
+
+        proptest! {
+            #![proptest_config(ProptestConfig::with_cases(5000))]
+
+            #[test]
+            fn anything_is_read_or_refused(text in ".*") {
+                if let Err(error) = Spec::parse(&text) {
+                    prop_assert_eq!(error.blame(), crate::error::Blame::Request);
+                }
+            }
+
+            #[test]
+            fn what_looks_like_a_spec_is_read_or_refused(text in spec_like()) {
+                match Spec::parse(&text) {
+                    Ok(spec) => prop_assert!((1..=4096).contains(&spec.first_needs().samples_per_pixel)),
+                    Err(error) => prop_assert!(!error.to_string().is_empty()),
+                }
+            }
+        }
+    }
 }
