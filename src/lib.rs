@@ -48,8 +48,9 @@
 //! let mut k = 0;
 //! while let Some(draw) = pass.next_draw(k) {
 //!     // Draw your scene here as `draw` says: its samples, its jitters, its target.
-//!     let frame = FrameFacts { index: 0, reset: true, exposure: 1.0 };
-//!     let inputs = Inputs { color, depth: None, motion: None, ids: None, frame };
+//!     let still = glam::Mat4::IDENTITY.to_cols_array_2d();
+//!     let frame = FrameFacts { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip: still };
+//!     let inputs = Inputs { color, color_decoded: None, samples: None, depth: None, motion: None, ids: None, frame };
 //!     pass.record(&mut Recorder::new(&mut encoder), k, &inputs, output);
 //!     k += 1;
 //! }

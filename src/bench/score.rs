@@ -241,7 +241,9 @@ fn prepare(
     truth: &Truth,
     progress: &mut impl Progress,
 ) -> Result<Candidate> {
-    let mut shot = match studio.shot(spec, request.frame, request.size) {
+    let shot = studio.shot(spec, request.frame, request.size);
+    let taken = shot.and_then(|mut shot| studio.take(&mut shot, None, progress).map(|()| shot));
+    let shot = match taken {
         Ok(shot) => shot,
         Err(Error::Unsupported(why)) => {
             progress.advance(request.work_of(spec));
@@ -249,7 +251,6 @@ fn prepare(
         }
         Err(error) => return Err(error),
     };
-    studio.take(&mut shot, None, progress)?;
     let capture = studio.read(&shot)?;
     progress.advance(u64::from(spec.first_needs().samples_per_pixel));
     let (scores, non_finite, pictures) = held_against(&capture, truth, studio.scene.exposure)?;

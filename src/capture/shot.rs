@@ -6,7 +6,7 @@ use crate::gpu::{Gpu, TextureSpec, bytes_of};
 use crate::methods::Spec;
 use crate::pass::{Context, Draw, Encoding, Extras, FrameFacts, Inputs, Pass, Recorder, Role, Target, Technique, Timer};
 use crate::picture::{DisplayPicture, LinearPicture};
-use crate::scene::Scene;
+use crate::scene::{Frame, Scene};
 
 use super::present::Present;
 
@@ -82,11 +82,14 @@ impl<'a> Studio<'a> {
                 self.scene.frames - 1
             )));
         }
-        let mut stages = Vec::new();
+        let mut stages: Vec<Stage> = Vec::new();
+        let mut extras = extras;
         for (name, technique) in techniques {
-            stages.push(Stage::new(self.gpu, self.scene, name, *technique, size)?);
+            let before = stages.last().map_or(Targets::color_format(), |stage| stage.output.format());
+            stages.push(Stage::new(self.gpu, self.scene, name, *technique, size, before)?);
+            extras = extras.union(technique.needs().extras);
         }
-        let shot = Shot { frame, size, extras, stages, targets: Vec::new() };
+        let shot = Shot { frame, reset: true, size, extras, stages, targets: Vec::new() };
         self.gpu.check()?;
         Ok(shot)
     }
@@ -98,6 +101,7 @@ impl<'a> Studio<'a> {
     pub fn take(&mut self, shot: &mut Shot, mut timer: Option<&mut dyn Timer>, watch: &mut dyn Watch) -> Result<()> {
         let frame = self.scene.frame(shot.frame, shot.size)?;
         self.forward.set_frame(&frame, shot.size)?;
+        let facts = self.facts(shot, &frame);
         let total = shot.samples_per_pixel();
         let mut done = 0;
         for k in 0.. {
@@ -106,43 +110,57 @@ impl<'a> Studio<'a> {
             let Some(request) = request else { break };
             watch.tick(done, total)?;
             done += request.jitters.len() as u32 * request.samples;
-            self.draw(shot, k, &request, &mut timer)?;
+            self.draw(shot, k, &request, facts, &mut timer)?;
         }
         for stage in 1..shot.stages.len() {
-            self.filter(shot, stage, &mut timer)?;
+            self.filter(shot, stage, facts, &mut timer)?;
         }
         self.gpu.wait()?;
         watch.tick(total, total)
     }
 
-    fn draw(&mut self, shot: &mut Shot, k: u32, request: &Draw, timer: &mut Option<&mut dyn Timer>) -> Result<()> {
+    fn facts(&self, shot: &Shot, frame: &Frame) -> FrameFacts {
+        let aspect = f64::from(shot.size[0]) / f64::from(shot.size[1]);
+        let previous_clip_from_clip = frame.view.previous_clip_from_clip(&frame.previous_view, aspect);
+        FrameFacts {
+            index: shot.frame,
+            reset: shot.reset,
+            exposure: self.scene.exposure,
+            previous_clip_from_clip: previous_clip_from_clip.as_mat4().to_cols_array_2d(),
+        }
+    }
+
+    fn draw(
+        &mut self,
+        shot: &mut Shot,
+        k: u32,
+        request: &Draw,
+        frame: FrameFacts,
+        timer: &mut Option<&mut dyn Timer>,
+    ) -> Result<()> {
         let index = shot.targets_for(self.gpu, request)?;
-        let facts = shot.facts(self.scene);
         let Shot { targets, stages, .. } = shot;
         let targets = &targets[index].1;
         let stage = &mut stages[0];
         let mut encoder = self.gpu.encoder();
         let mut recorder = recorder(&mut encoder, timer);
         self.forward.draw(&mut recorder, request, targets, &view_of(&stage.output))?;
+        let beside = Beside::of(Some(targets));
         // Sums and outputs leave no input; the depth stands in for a view that nobody reads.
         let color = view_of(targets.color.as_ref().unwrap_or(&targets.depth));
-        let extras = [&targets.motion, &targets.ids].map(|t| t.as_ref().map(view_of));
-        let depth = view_of(&targets.depth);
-        let inputs =
-            Inputs { color: &color, depth: Some(&depth), motion: extras[0].as_ref(), ids: extras[1].as_ref(), frame: facts };
-        stage.record(&mut recorder, k, &inputs);
+        stage.record(&mut recorder, k, &beside.inputs(&color, None, frame));
         self.gpu.submit(encoder)?;
         // Bounds what is in flight, and how long a Ctrl-C waits.
         if k % 4 == 3 { self.gpu.wait() } else { Ok(()) }
     }
 
-    fn filter(&mut self, shot: &mut Shot, index: usize, timer: &mut Option<&mut dyn Timer>) -> Result<()> {
-        let facts = shot.facts(self.scene);
+    fn filter(&mut self, shot: &mut Shot, index: usize, frame: FrameFacts, timer: &mut Option<&mut dyn Timer>) -> Result<()> {
+        let drawn = shot.targets.last().map(|(_, targets)| targets);
+        let (beside, samples) = (Beside::of(drawn), drawn.and_then(Targets::samples).map(view_of));
         let (before, after) = shot.stages.split_at_mut(index);
         let input = view_of(&before[index - 1].output);
         let mut encoder = self.gpu.encoder();
-        let inputs = Inputs { color: &input, depth: None, motion: None, ids: None, frame: facts };
-        after[0].record(&mut recorder(&mut encoder, timer), 0, &inputs);
+        after[0].record(&mut recorder(&mut encoder, timer), 0, &beside.inputs(&input, samples.as_ref(), frame));
         self.gpu.submit(encoder)
     }
 
@@ -175,6 +193,34 @@ impl<'a> Studio<'a> {
     }
 }
 
+/// Views of what a draw left beside the colour.
+struct Beside {
+    depth: Option<wgpu::TextureView>,
+    motion: Option<wgpu::TextureView>,
+    ids: Option<wgpu::TextureView>,
+}
+
+impl Beside {
+    fn of(drawn: Option<&Targets>) -> Self {
+        let view = |pick: fn(&Targets) -> Option<&wgpu::Texture>| drawn.and_then(pick).map(view_of);
+        Self {
+            depth: drawn.and_then(Targets::readable_depth),
+            motion: view(|targets| targets.motion.as_ref()),
+            ids: view(|targets| targets.ids.as_ref()),
+        }
+    }
+
+    fn inputs<'a>(
+        &'a self,
+        color: &'a wgpu::TextureView,
+        samples: Option<&'a wgpu::TextureView>,
+        frame: FrameFacts,
+    ) -> Inputs<'a> {
+        let (depth, motion, ids) = (self.depth.as_ref(), self.motion.as_ref(), self.ids.as_ref());
+        Inputs { color, color_decoded: None, samples, depth, motion, ids, frame }
+    }
+}
+
 fn view_of(texture: &wgpu::Texture) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
@@ -190,7 +236,10 @@ fn recorder<'r>(encoder: &'r mut wgpu::CommandEncoder, timer: &'r mut Option<&mu
 #[derive(Debug)]
 pub struct Shot {
     frame: u32,
+    /// Whether what came before must be forgotten.
+    reset: bool,
     size: [u32; 2],
+    /// What the stages want drawn beside the colour, together.
     extras: Extras,
     stages: Vec<Stage>,
     /// One set a kind of draw.
@@ -210,7 +259,6 @@ struct Stage {
     pass: Box<dyn Pass>,
     role: Role,
     encoding: Encoding,
-    extras: Extras,
     samples_per_pixel: u32,
     output: wgpu::Texture,
     /// Where the stage wants display values of linear input.
@@ -218,7 +266,15 @@ struct Stage {
 }
 
 impl Stage {
-    fn new(gpu: &Gpu, scene: &Scene, name: &str, technique: &dyn Technique, size: [u32; 2]) -> Result<Self> {
+    /// `before` is the format of the picture that comes in.
+    fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        name: &str,
+        technique: &dyn Technique,
+        size: [u32; 2],
+        before: wgpu::TextureFormat,
+    ) -> Result<Self> {
         let needs = technique.needs();
         needs.check(name, gpu.device.features(), &gpu.sample_counts())?;
         let target = |label, format| gpu.target(TextureSpec { label, size, format, samples: 1 });
@@ -234,13 +290,12 @@ impl Stage {
             let shown = target("shown", wgpu::TextureFormat::Rgba8Unorm);
             (Present::new(gpu, scene, shown.format()), shown)
         });
-        let input_format = present.as_ref().map_or(Targets::color_format(), |(_, shown)| shown.format());
+        let input_format = present.as_ref().map_or(before, |(_, shown)| shown.format());
         let context = Context { device: &gpu.device, queue: &gpu.queue, size, input_format, output_format: output.format() };
         Ok(Self {
             pass: technique.build(&context)?,
             role: needs.role,
             encoding: needs.output,
-            extras: needs.extras,
             samples_per_pixel: needs.samples_per_pixel,
             output,
             present,
@@ -254,15 +309,22 @@ impl Stage {
             Some((present, shown)) => {
                 let shown = view_of(shown);
                 present.record(recorder, inputs.color, &shown);
-                self.pass.record(recorder, k, &Inputs { color: &shown, ..*inputs }, &output);
+                let decoded = shown.texture().create_view(&wgpu::TextureViewDescriptor {
+                    format: Some(wgpu::TextureFormat::Rgba8UnormSrgb),
+                    usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
+                    ..Default::default()
+                });
+                let inputs = Inputs { color: &shown, color_decoded: Some(&decoded), ..*inputs };
+                self.pass.record(recorder, k, &inputs, &output);
             }
         }
     }
 }
 
 impl Shot {
-    fn facts(&self, scene: &Scene) -> FrameFacts {
-        FrameFacts { index: self.frame, reset: true, exposure: scene.exposure }
+    /// What is taken next: this frame, with (`reset`) or without forgetting those that were taken before.
+    pub fn move_to(&mut self, frame: u32, reset: bool) {
+        (self.frame, self.reset) = (frame, reset);
     }
 
     fn samples_per_pixel(&self) -> u32 {
@@ -280,11 +342,14 @@ impl Shot {
         if let Some(index) = self.targets.iter().position(|(made, _)| *made == key) {
             return Ok(index);
         }
-        let needs = self.stages[0].extras;
-        // A sum's depth is that of its last jitter: extras beside it would not be the picture's.
-        let asked = if sum { Extras::default() } else { self.extras };
-        let extras =
-            Extras { depth: needs.depth || asked.depth, motion: needs.motion || asked.motion, ids: needs.ids || asked.ids };
+        // A sum's depth is that of its last jitter: what lies beside it would not be the picture's.
+        if sum && self.stages.len() > 1 && self.extras != Extras::default() {
+            return Err(Error::Unsupported(
+                "a method that reads depth, motion or ids cannot follow one that sums jitters: no single draw is the picture's; put                  it after `none`"
+                    .into(),
+            ));
+        }
+        let extras = if sum { Extras::default() } else { self.extras };
         self.targets.push((key, Forward::targets(gpu, self.size, request, extras)?));
         gpu.check()?;
         Ok(self.targets.len() - 1)

@@ -12,6 +12,7 @@ const COLOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 pub struct Targets {
     pub(super) size: [u32; 2],
     pub(super) samples: u32,
+    depth_is_wanted: bool,
     /// None if the colour goes elsewhere.
     pub color: Option<wgpu::Texture>,
     /// Reversed depth; with a stencil where masks or sums need one.
@@ -25,8 +26,10 @@ pub struct Targets {
 impl Targets {
     pub(super) fn new(gpu: &Gpu, size: [u32; 2], draw: &Draw, extras: Extras) -> Result<Self> {
         let samples = draw.samples;
-        if samples > 1 && (extras.motion || extras.ids || matches!(draw.target, Target::Sum(_))) {
-            return Err(Error::Unsupported("motion vectors, object ids and sums are drawn with one sample a pixel".into()));
+        if samples > 1 && (extras != Extras::default() || matches!(draw.target, Target::Sum(_))) {
+            return Err(Error::Unsupported(
+                "depth to read, motion vectors, ids and sums are drawn with one sample a pixel".into(),
+            ));
         }
         let stencil = draw.mask.is_some() || matches!(draw.target, Target::Sum(_));
         if stencil && !gpu.device.features().contains(wgpu::Features::DEPTH32FLOAT_STENCIL8) {
@@ -37,11 +40,25 @@ impl Targets {
         Ok(Self {
             size,
             samples,
+            depth_is_wanted: extras.depth,
             color: matches!(draw.target, Target::Input).then(|| target("scene color", COLOR)),
             depth: target("scene depth", depth_format),
             motion: extras.motion.then(|| target("scene motion", wgpu::TextureFormat::Rg32Float)),
             ids: extras.ids.then(|| target("scene ids", wgpu::TextureFormat::R32Uint)),
         })
+    }
+
+    /// The depth for a shader to read, if it was asked for.
+    #[must_use]
+    pub fn readable_depth(&self) -> Option<wgpu::TextureView> {
+        let aspect = wgpu::TextureAspect::DepthOnly;
+        self.depth_is_wanted.then(|| self.depth.create_view(&wgpu::TextureViewDescriptor { aspect, ..Default::default() }))
+    }
+
+    /// The colour's unresolved samples, if there are several.
+    #[must_use]
+    pub fn samples(&self) -> Option<&wgpu::Texture> {
+        self.color.as_ref().filter(|_| self.samples > 1)
     }
 
     /// Bytes of all of them.

@@ -32,7 +32,12 @@ impl Gpu {
             dimension: wgpu::TextureDimension::D2,
             format: spec.format,
             usage,
-            view_formats: &[],
+            // Display values can also be read in linear light, through the format's own decoding.
+            view_formats: if spec.format == wgpu::TextureFormat::Rgba8Unorm {
+                &[wgpu::TextureFormat::Rgba8UnormSrgb]
+            } else {
+                &[]
+            },
         })
     }
 }

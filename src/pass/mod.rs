@@ -72,7 +72,7 @@ pub struct Needs {
     pub samples: u32,
     /// Device features beyond WebGPU's base.
     pub features: wgpu::Features,
-    /// What must be drawn beside the colour.
+    /// What must be drawn beside the colour, by whichever method draws.
     pub extras: Extras,
     /// Samples shaded a pixel by all its draws together.
     pub samples_per_pixel: u32,
@@ -161,9 +161,13 @@ pub trait Pass: Debug {
 /// What a pass reads.
 #[derive(Debug, Clone, Copy)]
 pub struct Inputs<'a> {
-    /// What was drawn, or the picture to filter. Multisampled if samples were asked for. After a draw with [`Target::Sum`] or
-    /// [`Target::Output`] there is nothing in it.
+    /// What was drawn, or the picture to filter in the encoding that was asked for. Multisampled if samples were asked for. After a
+    /// draw with [`Target::Sum`] or [`Target::Output`] there is nothing in it.
     pub color: &'a wgpu::TextureView,
+    /// For display input: the same texture seen through the sRGB decoding, in linear light.
+    pub color_decoded: Option<&'a wgpu::TextureView>,
+    /// For a filter after a multisampled draw: its unresolved samples, in linear light.
+    pub samples: Option<&'a wgpu::TextureView>,
     /// Reversed depth, if asked for.
     pub depth: Option<&'a wgpu::TextureView>,
     /// Motion vectors, if asked for.
@@ -183,6 +187,17 @@ pub struct FrameFacts {
     pub reset: bool,
     /// Factor on linear colour before the tone map.
     pub exposure: f32,
+    /// Takes a clip-space position of this frame to where a point that stands still was in the frame before, both without jitter;
+    /// columns. The way to reproject the background, which has no motion vectors of its own.
+    pub previous_clip_from_clip: [[f32; 4]; 4],
+}
+
+impl Extras {
+    /// What either asks for.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self { depth: self.depth || other.depth, motion: self.motion || other.motion, ids: self.ids || other.ids }
+    }
 }
 
 impl Needs {

@@ -98,6 +98,15 @@ impl View {
         }
     }
 
+    /// Where a still point at a clip-space position of this view was in clip space of an earlier one. The two cameras' distance is
+    /// taken in f64, so it does not matter how far both are from the origin.
+    #[must_use]
+    pub fn previous_clip_from_clip(&self, previous: &Self, aspect: f64) -> DMat4 {
+        let step = DAffine3::from_translation(self.position - previous.position);
+        let turned = DAffine3::from_mat3(previous.world_from_view.transpose()) * step * DAffine3::from_mat3(self.world_from_view);
+        previous.clip_from_view(aspect) * DMat4::from(turned) * self.clip_from_view(aspect).inverse()
+    }
+
     /// Object to clip space without ever forming a world-space f32: the camera's position is taken off in f64.
     #[must_use]
     pub fn clip_from_object(&self, world_from_object: &DAffine3, aspect: f64) -> DMat4 {
@@ -137,6 +146,19 @@ mod tests {
         };
         let difference = clip_at(DVec3::ZERO) - clip_at(DVec3::new(1e6, -2e6, 3e6));
         assert!(difference.to_cols_array().iter().all(|d| d.abs() < 1e-8), "{difference}");
+    }
+
+    #[test]
+    fn still_points_are_found_in_the_frame_before() {
+        let projection = Projection::Perspective { fov_y: 1.0, near: 0.1 };
+        let origin = DVec3::new(1e6, 0.0, -1e6);
+        let now = View::looking_at(origin + DVec3::new(1.0, 2.0, 5.0), origin, DVec3::Y, projection);
+        let before = View::looking_at(origin + DVec3::new(0.5, 2.1, 5.0), origin + DVec3::X, DVec3::Y, projection);
+        let point = DAffine3::from_translation(origin + DVec3::new(0.3, -0.2, 0.1));
+        let clip = |view: &View| view.clip_from_object(&point, 1.5) * DVec4::W;
+        let found = now.previous_clip_from_clip(&before, 1.5) * clip(&now);
+        let expected = clip(&before);
+        assert!((found / found.w - expected / expected.w).length() < 1e-8, "{found} {expected}");
     }
 
     #[test]

@@ -133,6 +133,14 @@ fn sizes_down_to_one_pixel_and_up_to_odd_ones() {
 }
 
 #[test]
+fn memory_does_not_grow_with_samples() {
+    let gpu = common::gpu();
+    let scene = Scene::load("edges").expect("shipped");
+    let bytes = |spp: u32| capture(&gpu, &scene, &format!("ssaa:spp={spp}"), [64, 36]).target_bytes;
+    assert_eq!(bytes(2), bytes(4096));
+}
+
+#[test]
 fn too_large_is_refused_before_anything_is_made() {
     let gpu = common::gpu();
     let scene = Scene::load("edges").expect("shipped");

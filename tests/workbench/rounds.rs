@@ -4,7 +4,7 @@
 
 use dejag::capture::{Capture, Studio};
 use dejag::methods::Spec;
-use dejag::pass::{Context, Draw, Extras, Inputs, Jitter, Needs, Pass, Recorder, Sum, Target, Technique};
+use dejag::pass::{Context, Draw, Encoding, Extras, Inputs, Jitter, Needs, Pass, Recorder, Role, Sum, Target, Technique};
 use dejag::scene::Scene;
 use wgpu::TextureFormat as Format;
 
@@ -144,20 +144,24 @@ impl TwoRoundsPass {
             .collect();
         let layout = pipeline.get_bind_group_layout(0);
         let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries });
-        let attachment = wgpu::RenderPassColorAttachment {
-            view: to,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
-        };
-        let descriptor =
-            wgpu::RenderPassDescriptor { label: Some("toy"), color_attachments: &[Some(attachment)], ..Default::default() };
-        recorder.render(&descriptor, |pass| {
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &group, &[]);
-            pass.draw(0..3, 0..1);
-        });
+        screen(recorder, pipeline, &group, to);
     }
+}
+
+fn screen(recorder: &mut Recorder<'_>, pipeline: &wgpu::RenderPipeline, group: &wgpu::BindGroup, to: &wgpu::TextureView) {
+    let attachment = wgpu::RenderPassColorAttachment {
+        view: to,
+        depth_slice: None,
+        resolve_target: None,
+        ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
+    };
+    let descriptor =
+        wgpu::RenderPassDescriptor { label: Some("toy"), color_attachments: &[Some(attachment)], ..Default::default() };
+    recorder.render(&descriptor, |pass| {
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, group, &[]);
+        pass.draw(0..3, 0..1);
+    });
 }
 
 impl Pass for TwoRoundsPass {
@@ -277,4 +281,111 @@ fn taking_a_shot_again_gives_the_same_bits() {
         studio.read(&shot).expect("reads").linear
     };
     assert!(take() == take());
+}
+
+/// A filter that passes its picture on, and checks that it is given what it asks for.
+#[derive(Debug, Clone, Copy)]
+struct Echo {
+    takes: Encoding,
+    extras: Extras,
+    expects_samples: bool,
+}
+
+impl Technique for Echo {
+    fn needs(&self) -> Needs {
+        Needs { role: Role::Filters(self.takes), output: self.takes, extras: self.extras, ..Needs::default() }
+    }
+
+    fn build(&self, context: &Context<'_>) -> dejag::Result<Box<dyn Pass>> {
+        let pass = pipeline(context.device, "fs_copy", context.output_format);
+        Ok(Box::new(EchoPass { echo: *self, device: context.device.clone(), pass }))
+    }
+}
+
+#[derive(Debug)]
+struct EchoPass {
+    echo: Echo,
+    device: wgpu::Device,
+    pass: wgpu::RenderPipeline,
+}
+
+impl Pass for EchoPass {
+    fn record(&mut self, recorder: &mut Recorder<'_>, _: u32, inputs: &Inputs<'_>, output: &wgpu::TextureView) {
+        assert_eq!(inputs.depth.is_some(), self.echo.extras.depth);
+        assert_eq!(inputs.motion.is_some(), self.echo.extras.motion);
+        assert_eq!(inputs.ids.is_some(), self.echo.extras.ids);
+        assert_eq!(inputs.samples.map(|view| view.texture().sample_count()), self.echo.expects_samples.then_some(4));
+        let display = self.echo.takes == Encoding::Display;
+        assert_eq!(inputs.color_decoded.is_some(), display);
+        assert_eq!(inputs.color.texture().format() == Format::Rgba8Unorm, display);
+        let layout = self.pass.get_bind_group_layout(0);
+        let entries = [wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(inputs.color) }];
+        let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries });
+        screen(recorder, &self.pass, &group, output);
+    }
+}
+
+#[test]
+fn filters_get_the_picture_in_their_encoding_and_what_they_ask_for() {
+    let gpu = common::gpu();
+    let scene = Scene::load("fence").expect("shipped");
+    let mut studio = Studio::new(&gpu, &scene).expect("uploads");
+    let everything = Extras { depth: true, motion: true, ids: true };
+    for first in ["none", "msaa:samples=4", "ssaa:spp=4"] {
+        let spec = Spec::parse(first).expect("exists");
+        for takes in [Encoding::Linear, Encoding::Display] {
+            let extras = if first == "none" { everything } else { Extras::default() };
+            let echo = Echo { takes, extras, expects_samples: first.starts_with("msaa") };
+            let stages: [(&str, &dyn Technique); 2] = [(first, &*spec.stages[0].technique), ("echo", &echo)];
+            let mut shot = studio.shot_of(&stages, 0, SIZE, Extras::default()).expect("builds");
+            studio.take(&mut shot, None, &mut ()).expect("draws");
+            let echoed = studio.read(&shot).expect("reads");
+            let plain = by_name(&mut studio, first);
+            // The echo stores rgba16float or rgba8unorm, the sum of jitters is finer: a step of 8 bits either way.
+            let pairs = echoed.display.to_rgba8().into_iter().zip(plain.display.to_rgba8());
+            let largest = pairs.map(|(a, b)| a.abs_diff(b)).max();
+            assert!(largest <= Some(1), "{first} through {takes:?}: {largest:?}");
+            assert_eq!(echoed.linear.is_some(), takes == Encoding::Linear);
+        }
+    }
+}
+
+#[test]
+fn a_filter_alone_is_given_one_plain_draw() {
+    let gpu = common::gpu();
+    let scene = Scene::load("fence").expect("shipped");
+    let mut studio = Studio::new(&gpu, &scene).expect("uploads");
+    let echo = Echo { takes: Encoding::Display, extras: Extras::default(), expects_samples: false };
+    let echoed = capture(&mut studio, &echo).display.to_rgba8();
+    assert!(echoed == by_name(&mut studio, "none").display.to_rgba8());
+}
+
+#[test]
+fn depth_beside_a_sum_is_refused() {
+    let gpu = common::gpu();
+    let scene = Scene::load("fence").expect("shipped");
+    let mut studio = Studio::new(&gpu, &scene).expect("uploads");
+    let spec = Spec::parse("ssaa:spp=4").expect("exists");
+    let extras = Extras { depth: true, ..Extras::default() };
+    let echo = Echo { takes: Encoding::Linear, extras, expects_samples: false };
+    let stages: [(&str, &dyn Technique); 2] = [("ssaa", &*spec.stages[0].technique), ("echo", &echo)];
+    let mut shot = studio.shot_of(&stages, 0, SIZE, Extras::default()).expect("builds");
+    let refusal = studio.take(&mut shot, None, &mut ()).expect_err("no single depth").to_string();
+    assert!(refusal.contains("sums jitters"), "{refusal}");
+}
+
+#[test]
+fn a_shot_moves_from_frame_to_frame() {
+    let gpu = common::gpu();
+    let scene = Scene::load("pan").expect("shipped");
+    let mut studio = Studio::new(&gpu, &scene).expect("uploads");
+    let none = Spec::parse("none").expect("exists");
+    let mut moved = studio.shot(&none, 0, SIZE).expect("builds");
+    studio.take(&mut moved, None, &mut ()).expect("draws");
+    moved.move_to(7, false);
+    studio.take(&mut moved, None, &mut ()).expect("draws");
+    let there = studio.capture(&none, 7, SIZE, &mut ()).expect("draws");
+    let begun = studio.capture(&none, 0, SIZE, &mut ()).expect("draws");
+    let moved = studio.read(&moved).expect("reads");
+    assert!(moved.linear == there.linear && moved.linear != begun.linear);
 }
