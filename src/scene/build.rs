@@ -31,6 +31,10 @@ pub(super) fn scene(text: &str, path: &str, base_dir: &Path) -> Result<Scene> {
     let mut builder = Builder::new(base_dir, text);
     builder.named_materials(&doc, &root.key("materials"))?;
     builder.objects(&doc.objects, &root)?;
+    let anisotropy = root.key("anisotropy").count(doc.anisotropy, 1..=16)? as u16;
+    for texture in &mut builder.textures {
+        texture.anisotropy = anisotropy;
+    }
     Ok(Scene {
         name: doc.name.unwrap_or_else(|| stem(path)),
         about: doc.about,

@@ -28,6 +28,9 @@ pub(super) struct SceneDoc {
     pub(super) exposure_ev: f64,
     #[serde(default)]
     pub(super) tone_map: ToneMapDoc,
+    /// Samples along the direction of anisotropy in the models' textures. More than 1 differs between drivers.
+    #[serde(default = "one")]
+    pub(super) anisotropy: u32,
     pub(super) camera: CameraDoc,
     pub(super) light: Option<LightDoc>,
     /// Light from everywhere.
