@@ -100,14 +100,17 @@ fn pictures_are_the_golden_ones() {
 fn the_comparison_can_fail() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("golden.png");
-    let picture = |level: f32, size: u32| DisplayPicture::from_fn(size, 10, |_, _| [level, level, level, 1.0]).expect("fits");
-    assert!(check(&picture(0.5, 10), &path, 1.0).is_err(), "a missing golden must fail");
-    picture(0.5, 10).save_png(&path, BitDepth::Eight, &[]).expect("writes");
-    assert_eq!(check(&picture(0.5, 10), &path, 0.0), Ok(()));
-    assert!(check(&picture(0.5, 11), &path, 1.0).is_err(), "another size must fail");
-    assert!(check(&picture(0.5 + 1.0 / 255.0, 10), &path, 0.99).is_err(), "too many pixels must fail");
-    assert_eq!(check(&picture(0.5 + 1.0 / 255.0, 10), &path, 1.0), Ok(()));
-    assert!(check(&picture(0.5 + 2.0 / 255.0, 10), &path, 1.0).is_err(), "too much must fail");
+    let picture = |level: u8, size: u32| {
+        let level = f32::from(level) / 255.0;
+        DisplayPicture::from_fn(size, 10, |_, _| [level, level, level, 1.0]).expect("fits")
+    };
+    assert!(check(&picture(100, 10), &path, 1.0).is_err(), "a missing golden must fail");
+    picture(100, 10).save_png(&path, BitDepth::Eight, &[]).expect("writes");
+    assert_eq!(check(&picture(100, 10), &path, 0.0), Ok(()));
+    assert!(check(&picture(100, 11), &path, 1.0).is_err(), "another size must fail");
+    assert!(check(&picture(101, 10), &path, 0.99).is_err(), "too many pixels must fail");
+    assert_eq!(check(&picture(101, 10), &path, 1.0), Ok(()));
+    assert!(check(&picture(102, 10), &path, 1.0).is_err(), "too much must fail");
     std::fs::write(&path, b"not a picture").expect("writes");
-    assert!(check(&picture(0.5, 10), &path, 1.0).is_err(), "an unreadable golden must fail");
+    assert!(check(&picture(100, 10), &path, 1.0).is_err(), "an unreadable golden must fail");
 }
