@@ -130,11 +130,3 @@ fn pictures_must_belong_to_the_results() {
     assert!(matches!(report.finish(&results), Err(Error::Request(_))));
     assert_eq!(fs::read_dir(home.path()).expect("a folder").count(), 0, "nothing is left behind");
 }
-
-/// Writes a report to look at into the folder that `DEJAG_SAMPLE_REPORT` names.
-#[test]
-#[ignore = "for eyes: writes a sample report where DEJAG_SAMPLE_REPORT says"]
-fn sample_report() {
-    let dir = std::env::var_os("DEJAG_SAMPLE_REPORT").expect("a folder in DEJAG_SAMPLE_REPORT");
-    write(Path::new(&dir), &sample::results(8)).expect("written");
-}
