@@ -42,6 +42,9 @@ pub const SHADER: Source = Source {
     ],
 };
 
+/// Raised when what is drawn changes and neither the shader nor the scene does: kept references of earlier revisions are not used.
+pub const REVISION: u32 = 1;
+
 /// Every struct the module shares with Rust.
 pub const LAYOUTS: &[Layout] = uniforms::LAYOUTS;
 
