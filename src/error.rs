@@ -120,7 +120,11 @@ fn advice(source: &std::io::Error) -> &'static str {
     match source.kind() {
         std::io::ErrorKind::NotFound => "; check the path",
         std::io::ErrorKind::PermissionDenied => "; check the permissions or choose another place",
-        std::io::ErrorKind::StorageFull => "; free some space or choose another place",
+        std::io::ErrorKind::NotADirectory => "; a folder in the path is a file: check the path",
+        std::io::ErrorKind::ReadOnlyFilesystem => "; choose a place that can be written",
+        std::io::ErrorKind::StorageFull | std::io::ErrorKind::QuotaExceeded | std::io::ErrorKind::FileTooLarge => {
+            "; free some space or choose another place"
+        }
         _ => "",
     }
 }

@@ -1,12 +1,13 @@
 //! References on disk, under a hash of everything that shapes them.
 //!
 //! An entry is a line that names the format, a line of JSON, the pixels as little-endian f32 RGB, and a BLAKE3 hash of all that.
-//! Entries are written whole or not at all, and one whose hash does not match is thrown away, so an interrupted or full disk costs
-//! a reference, never a wrong score.
+//! Entries are written whole or not at all, and one whose hash does not match is thrown away, so an interrupted run or a full disk
+//! costs a reference, never a wrong score and never the run.
 
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
 use std::time::SystemTime;
 
 use serde::{Deserialize, Serialize};
@@ -26,6 +27,16 @@ const DEFAULT_CAP_BYTES: u64 = 2 << 30;
 pub struct Cache {
     folder: Option<PathBuf>,
     cap_bytes: u64,
+    failure: Arc<OnceLock<Error>>,
+}
+
+/// A file of the cache.
+struct Kept {
+    path: PathBuf,
+    bytes: u64,
+    used: SystemTime,
+    /// Not what a killed process left of one.
+    whole: bool,
 }
 
 /// An entry's own words.
@@ -46,19 +57,23 @@ impl Cache {
     #[must_use]
     pub fn of_user() -> Self {
         let own = std::env::var_os("DEJAG_CACHE_DIR").filter(|dir| !dir.is_empty()).map(PathBuf::from);
-        Self { folder: own.or_else(|| Some(dirs::cache_dir()?.join("dejag"))), cap_bytes: DEFAULT_CAP_BYTES }
+        Self::new(own.or_else(|| Some(dirs::cache_dir()?.join("dejag"))), DEFAULT_CAP_BYTES)
     }
 
     /// In this folder, at most so many bytes.
     #[must_use]
     pub fn in_folder(folder: PathBuf, cap_bytes: u64) -> Self {
-        Self { folder: Some(folder), cap_bytes }
+        Self::new(Some(folder), cap_bytes)
     }
 
     /// Keeps nothing, finds nothing.
     #[must_use]
     pub fn none() -> Self {
-        Self { folder: None, cap_bytes: 0 }
+        Self::new(None, 0)
+    }
+
+    fn new(folder: Option<PathBuf>, cap_bytes: u64) -> Self {
+        Self { folder, cap_bytes, failure: Arc::default() }
     }
 
     /// Where entries are kept.
@@ -82,11 +97,21 @@ impl Cache {
         Some(found)
     }
 
-    /// Keeps an entry, and evicts others beyond the cap.
-    ///
-    /// # Errors
-    /// [`Error::Io`].
-    pub fn put(&self, key: &str, picture: &LinearPicture, entry: &CacheEntry) -> Result<()> {
+    /// Keeps an entry, and evicts others beyond the cap. If that cannot be done, [`Self::failure`] says why: the entry will have to
+    /// be made again, which is no reason to lose it now.
+    pub fn put(&self, key: &str, picture: &LinearPicture, entry: &CacheEntry) {
+        if let Err(error) = self.try_put(key, picture, entry) {
+            self.failure.get_or_init(|| error);
+        }
+    }
+
+    /// Why the first entry that could not be kept could not.
+    #[must_use]
+    pub fn failure(&self) -> Option<&Error> {
+        self.failure.get()
+    }
+
+    fn try_put(&self, key: &str, picture: &LinearPicture, entry: &CacheEntry) -> Result<()> {
         let (Some(path), Some(folder)) = (self.path(key), &self.folder) else {
             return Ok(());
         };
@@ -101,54 +126,69 @@ impl Cache {
     /// # Errors
     /// [`Error::Io`].
     pub fn clear(&self) -> Result<(u64, u64)> {
-        let mut removed = (0, 0);
-        for (path, bytes, _) in self.files() {
-            fs::remove_file(&path).map_err(Error::io("remove", &path))?;
-            removed = (removed.0 + 1, removed.1 + bytes);
+        let files = self.files()?;
+        for file in &files {
+            fs::remove_file(&file.path).map_err(Error::io("remove", &file.path))?;
         }
-        Ok(removed)
+        Ok(totals(&files))
     }
 
-    /// How many entries there are and how many bytes they take.
-    #[must_use]
-    pub fn usage(&self) -> (u64, u64) {
-        let files = self.files();
-        (files.len() as u64, files.iter().map(|(_, bytes, _)| bytes).sum())
+    /// How many entries there are, and how many bytes they take together with what killed processes left.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn usage(&self) -> Result<(u64, u64)> {
+        Ok(totals(&self.files()?))
     }
 
     fn path(&self, key: &str) -> Option<PathBuf> {
         Some(self.folder.as_ref()?.join(format!("{key}.reference")))
     }
 
-    /// Entries with their sizes and times of last use, oldest first.
-    fn files(&self) -> Vec<(PathBuf, u64, SystemTime)> {
-        let Some(listing) = self.folder.as_ref().and_then(|folder| fs::read_dir(folder).ok()) else {
-            return Vec::new();
+    /// Entries and leftovers, the longest unused first. A folder that is not there yet holds none.
+    fn files(&self) -> Result<Vec<Kept>> {
+        let Some(folder) = &self.folder else { return Ok(Vec::new()) };
+        let listing = match fs::read_dir(folder) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+            listing => listing.map_err(Error::io("read the cache", folder))?,
         };
-        let mut files: Vec<_> = listing
-            .filter_map(|item| {
-                let path = item.ok()?.path();
-                let data = fs::metadata(&path).ok()?;
-                let ours = path.extension().is_some_and(|e| e == "reference");
-                ours.then(|| Some((path, data.len(), data.modified().ok()?)))?
-            })
-            .collect();
-        files.sort_by(|a, b| (a.2, &a.0).cmp(&(b.2, &b.0)));
-        files
+        let mut files: Vec<Kept> = listing.filter_map(|item| Kept::of(item.ok()?.path())).collect();
+        files.sort_by(|a, b| (a.used, &a.path).cmp(&(b.used, &b.path)));
+        Ok(files)
     }
 
     fn evict(&self, newest: &Path) -> Result<()> {
-        let files = self.files();
-        let mut total: u64 = files.iter().map(|(_, bytes, _)| bytes).sum();
-        for (path, bytes, _) in files {
-            if total <= self.cap_bytes || path == newest {
+        let files = self.files()?;
+        let (_, mut total) = totals(&files);
+        for file in files {
+            if total <= self.cap_bytes || file.path == newest {
                 continue;
             }
-            fs::remove_file(&path).map_err(Error::io("remove", &path))?;
-            total -= bytes;
+            fs::remove_file(&file.path).map_err(Error::io("remove", &file.path))?;
+            total -= file.bytes;
         }
         Ok(())
     }
+}
+
+impl Kept {
+    /// None for a file that is not the cache's.
+    fn of(path: PathBuf) -> Option<Self> {
+        let name = path.file_name()?.to_str()?;
+        let whole = name.ends_with(".reference");
+        let leftover = name.starts_with('.') && name.contains(".reference.") && name.ends_with(".part");
+        if !whole && !leftover {
+            return None;
+        }
+        let data = fs::metadata(&path).ok().filter(fs::Metadata::is_file)?;
+        Some(Self { bytes: data.len(), used: data.modified().ok()?, whole, path })
+    }
+}
+
+/// How many whole entries, and the bytes of all.
+fn totals(files: &[Kept]) -> (u64, u64) {
+    let entries = files.iter().filter(|file| file.whole).count();
+    (entries as u64, files.iter().map(|file| file.bytes).sum())
 }
 
 fn encode(picture: &LinearPicture, entry: &CacheEntry) -> Result<Vec<u8>> {
@@ -197,7 +237,7 @@ mod tests {
         let cache = Cache::in_folder(folder.path().join("new"), 1 << 20);
         assert!(cache.get("a").is_none());
         let (picture, entry) = sample(1.0);
-        cache.put("a", &picture, &entry).expect("writes");
+        cache.try_put("a", &picture, &entry).expect("writes");
         assert_eq!(cache.get("a"), Some((picture, entry)));
         assert_eq!(cache.clear().expect("clears").0, 1);
         assert!(cache.get("a").is_none());
@@ -208,7 +248,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let cache = Cache::in_folder(folder.path().into(), 1 << 20);
         let (picture, entry) = sample(1.0);
-        cache.put("a", &picture, &entry).expect("writes");
+        cache.try_put("a", &picture, &entry).expect("writes");
         let path = folder.path().join("a.reference");
         let whole = fs::read(&path).expect("reads");
         for length in [0, 10, MAGIC.len(), whole.len() - 1] {
@@ -229,11 +269,45 @@ mod tests {
         let one = encode(&picture, &entry).expect("encodes").len() as u64;
         let cache = Cache::in_folder(folder.path().into(), 2 * one);
         for key in ["a", "b", "c", "d"] {
-            cache.put(key, &picture, &entry).expect("writes");
+            cache.try_put(key, &picture, &entry).expect("writes");
         }
-        assert_eq!(cache.usage(), (2, 2 * one));
+        assert_eq!(cache.usage().expect("reads"), (2, 2 * one));
         assert!(cache.get("d").is_some());
-        Cache::in_folder(folder.path().into(), 0).put("e", &picture, &entry).expect("writes");
-        assert_eq!(cache.usage().0, 1);
+        Cache::in_folder(folder.path().into(), 0).try_put("e", &picture, &entry).expect("writes");
+        assert_eq!(cache.usage().expect("reads").0, 1);
+    }
+
+    #[test]
+    fn what_a_killed_process_left_is_counted_evicted_and_cleared_and_nothing_else_is() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (leftover, foreign) = (folder.path().join(".a.reference.x7Yz.part"), folder.path().join("thesis.part"));
+        let cache = Cache::in_folder(folder.path().into(), 1 << 20);
+        for path in [&leftover, &foreign] {
+            fs::write(path, [0; 1000]).expect("writes");
+        }
+        assert_eq!(cache.usage().expect("reads"), (0, 1000));
+        assert_eq!(cache.clear().expect("clears"), (0, 1000));
+        assert!(!leftover.exists() && foreign.exists());
+
+        fs::write(&leftover, vec![0; 1 << 20]).expect("writes");
+        let (picture, entry) = sample(1.0);
+        cache.try_put("a", &picture, &entry).expect("writes");
+        assert!(!leftover.exists() && cache.get("a").is_some());
+    }
+
+    #[test]
+    fn a_cache_that_cannot_be_written_says_so_and_stops_nothing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("file");
+        fs::write(&path, b"not a folder").expect("writes");
+        let (picture, entry) = sample(1.0);
+        for folder in [path.clone(), path.join("below")] {
+            let cache = Cache::in_folder(folder, 1 << 20);
+            cache.put("a", &picture, &entry);
+            assert!(matches!(cache.clone().failure(), Some(Error::Io { .. })), "{:?}", cache.failure());
+            assert!(cache.get("a").is_none());
+            assert!(cache.usage().is_err() && cache.clear().is_err());
+        }
+        assert_eq!(fs::read(&path).expect("reads"), b"not a folder");
     }
 }

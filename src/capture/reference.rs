@@ -45,7 +45,7 @@ impl Studio<'_> {
     /// The reference of a frame: from the cache, or drawn and put there.
     ///
     /// # Errors
-    /// As [`Studio::take`]; a cache that cannot be written is an error too, once the reference is drawn.
+    /// As [`Studio::take`]. A cache that cannot be written is none: [`Cache::failure`] tells of it.
     pub fn reference(
         &mut self,
         spec: &Spec,
@@ -66,7 +66,7 @@ impl Studio<'_> {
         let linear = capture.linear.unwrap_or_else(|| capture.display.to_linear());
         let halves = self.halves(&shot.views())?;
         let entry = CacheEntry { size, scene: self.scene.name.clone(), spec: spec.to_string(), halves };
-        cache.put(&key, &linear, &entry)?;
+        cache.put(&key, &linear, &entry);
         // Shown from what the cache will hand out next time, not from the GPU's own copy: the same bits either way.
         let display = self.display_of(&linear)?;
         Ok(Reference { spec: spec.to_string(), linear, display, halves, cached: false })
@@ -111,11 +111,13 @@ fn difference(a: &LinearPicture, b: &LinearPicture, exposure: f32) -> Option<Hal
 #[must_use]
 pub fn reference_key(scene: &Scene, frame: &Frame, spec: &Spec, size: [u32; 2], card: &Card) -> String {
     let mut hasher = blake3::Hasher::new();
-    // Debug output holds every field, and a technique's holds its sample positions and weights.
+    // Debug output holds every field, and a technique's holds its sample positions and weights. A method's would hold addresses of
+    // functions, which differ from process to process.
+    let techniques: Vec<_> = spec.stages.iter().map(|stage| (stage.method.name, &stage.technique)).collect();
     let words = format!(
-        "{} {size:?} {card:?} {:?} {:?} {:?} {:?} {:?} {:?}",
+        "{} {} {size:?} {card:?} {techniques:?} {:?} {:?} {:?} {:?} {:?}",
         env!("CARGO_PKG_VERSION"),
-        spec.stages,
+        forward::REVISION,
         scene.light,
         (scene.background, scene.ambient, scene.exposure),
         scene.materials,

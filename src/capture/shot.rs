@@ -104,6 +104,7 @@ impl<'a> Studio<'a> {
         let facts = self.facts(shot, &frame);
         let total = shot.samples_per_pixel();
         let mut done = 0;
+        let mut in_flight = InFlight::default();
         for k in 0.. {
             let draws = shot.stages[0].role == Role::Draws;
             let request = if draws { shot.stages[0].pass.next_draw(k) } else { (k == 0).then(Draw::default) };
@@ -111,6 +112,9 @@ impl<'a> Studio<'a> {
             watch.tick(done, total)?;
             done += request.jitters.len() as u32 * request.samples;
             self.draw(shot, k, &request, facts, &mut timer)?;
+            if in_flight.is_full(&request, shot.size) {
+                self.gpu.wait()?;
+            }
         }
         for stage in 1..shot.stages.len() {
             self.filter(shot, stage, facts, &mut timer)?;
@@ -149,9 +153,7 @@ impl<'a> Studio<'a> {
         // Sums and outputs leave no input; the depth stands in for a view that nobody reads.
         let color = view_of(targets.color.as_ref().unwrap_or(&targets.depth));
         stage.record(&mut recorder, k, &beside.inputs(&color, None, frame));
-        self.gpu.submit(encoder)?;
-        // Bounds what is in flight, and how long a Ctrl-C waits.
-        if k % 4 == 3 { self.gpu.wait() } else { Ok(()) }
+        self.gpu.submit(encoder)
     }
 
     fn filter(&mut self, shot: &mut Shot, index: usize, frame: FrameFacts, timer: &mut Option<&mut dyn Timer>) -> Result<()> {
@@ -190,6 +192,27 @@ impl<'a> Studio<'a> {
         let mut shot = self.shot(spec, frame, size)?;
         self.take(&mut shot, None, watch)?;
         self.read(&shot)
+    }
+}
+
+/// Work that was submitted and not waited for, so that what is in flight and the time to notice a Ctrl-C stay bounded.
+#[derive(Default)]
+struct InFlight {
+    samples: u64,
+}
+
+impl InFlight {
+    /// Some tenths of a second on a software rasteriser, a few milliseconds on a GPU.
+    const MOST_SAMPLES: u64 = 30_000_000;
+
+    /// Counts a request; true if it is time to wait.
+    fn is_full(&mut self, request: &Draw, [width, height]: [u32; 2]) -> bool {
+        self.samples += u64::from(width) * u64::from(height) * request.jitters.len() as u64 * u64::from(request.samples);
+        let full = self.samples >= Self::MOST_SAMPLES;
+        if full {
+            self.samples = 0;
+        }
+        full
     }
 }
 

@@ -1,6 +1,6 @@
 //! Looking at what lies beside the colour: depth, motion, ids, and every intermediate of a method.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, unknown};
 use crate::methods::Spec;
 use crate::pass::Extras;
 use crate::picture::{DisplayPicture, LinearPicture};
@@ -91,8 +91,8 @@ impl Studio<'_> {
         let mut shot = self.shot(spec, frame, size)?;
         let views = shot.views();
         let Some((_, view)) = views.iter().find(|(known, _)| *known == name) else {
-            let names: Vec<_> = ["color", "depth", "motion", "ids"].into_iter().chain(views.iter().map(|(n, _)| *n)).collect();
-            return Err(Error::Request(format!("{spec} has no view '{name}'; it has {}", names.join(", "))));
+            let names: Vec<_> = ["colour", "depth", "motion", "ids"].into_iter().chain(views.iter().map(|(n, _)| *n)).collect();
+            return Err(unknown(&format!("view of {spec}"), name, &names));
         };
         self.take(&mut shot, None, watch)?;
         let texture = view.texture();

@@ -29,7 +29,7 @@ impl Cache {
             let (entries, bytes) = cache.clear()?;
             output::print(&format!("{}: removed {entries} references, {:.1} MB", folder.display(), megabytes(bytes)))?;
         } else {
-            let (entries, bytes) = cache.usage();
+            let (entries, bytes) = cache.usage()?;
             output::print(&format!("{}: {entries} references, {:.1} MB", folder.display(), megabytes(bytes)))?;
         }
         Ok(ExitCode::SUCCESS)

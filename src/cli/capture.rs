@@ -72,7 +72,7 @@ impl Capture {
         bar.finish();
         if !self.drawing.quiet {
             let [width, height] = self.size;
-            eprintln!("{}: {} with {spec}, {width}x{height}", self.output.display(), scene.name);
+            output::say(&format!("{}: {} with {spec}, {width}x{height}", self.output.display(), scene.name));
         }
         Ok(ExitCode::SUCCESS)
     }
@@ -83,7 +83,7 @@ pub(super) fn load(name: &str, quiet: bool) -> Result<Scene, Error> {
     let scene = Scene::load(name)?;
     if !quiet {
         for warning in &scene.warnings {
-            eprintln!("warning: {name}: {warning}");
+            output::say(&format!("warning: {name}: {warning}"));
         }
     }
     Ok(scene)

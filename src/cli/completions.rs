@@ -9,7 +9,7 @@ use super::{Cli, output};
 
 /// Print completions for a shell
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  dejag completions bash > ~/.local/share/bash-completion/completions/dejag")]
+#[command(after_help = "Examples:\n  dejag completions bash > ~/.local/share/bash-completion/completions/dejag")]
 pub(super) struct Completions {
     /// Which shell
     shell: Shell,
@@ -26,6 +26,7 @@ impl Completions {
 
 /// Print the manual page
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  dejag man | man -l -\n  dejag man score | man -l -")]
 pub(super) struct Man {
     /// Of this verb instead of the whole command
     verb: Option<String>,

@@ -12,6 +12,7 @@ use crate::methods::{METHODS, Spec};
 
 /// Say which adapters answer, what they can do, and which methods run on the chosen one
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  dejag doctor\n  dejag doctor --adapter software")]
 pub(super) struct Doctor {
     /// auto (discrete GPU, integrated, then software), software, or part of an adapter's name
     #[arg(long, value_name = "WHICH", default_value = "auto", env = "DEJAG_ADAPTER")]

@@ -33,8 +33,8 @@ Examples:
   dejag list methods
   dejag doctor
 
-Exit codes: 0 fine; 1 a missed threshold; 2 a request that makes no sense; 3 could not run or write; 4 nothing was compared;
-130 interrupted.";
+Exit codes: 0 fine; 1 a missed threshold; 2 a request that makes no sense; 3 could not run or write; 4 nothing was \
+compared; 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
 enum Verb {
@@ -57,7 +57,7 @@ struct Drawing {
     /// No progress and no words, only errors
     #[arg(short, long)]
     quiet: bool,
-    /// Say more: the adapter, the reference's key, where things are kept
+    /// Say more: the adapter, and where references are kept
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
 }
@@ -66,7 +66,7 @@ impl Drawing {
     fn open(&self) -> Result<Gpu, Error> {
         let gpu = Gpu::open(&self.adapter)?;
         if self.verbose {
-            eprintln!("adapter: {}", gpu.card);
+            output::say(&format!("adapter: {}", gpu.card));
         }
         Ok(gpu)
     }
@@ -92,10 +92,15 @@ pub fn main() -> ExitCode {
         // A reader that closed the pipe (`| head`) has what it wanted.
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error:#}");
+            output::say(&format!("error: {}", words_of(&error)));
             ExitCode::from(code_of(&error))
         }
     }
+}
+
+/// The library's errors name their causes themselves, the others have theirs in the chain.
+fn words_of(error: &anyhow::Error) -> String {
+    error.downcast_ref::<Error>().map_or_else(|| format!("{error:#}"), Error::to_string)
 }
 
 fn code_of(error: &anyhow::Error) -> u8 {

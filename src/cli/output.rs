@@ -1,7 +1,9 @@
 //! Writing results: checked before the work, whole or not at all.
 
-use std::io::Write as _;
+use std::io;
 use std::path::Path;
+
+use anyhow::Context as _;
 
 use crate::capture::View;
 use crate::error::{Error, Result};
@@ -35,8 +37,16 @@ pub(super) fn save(view: &View, path: &Path, format: FileFormat, depth: BitDepth
 }
 
 /// One line of data, or many, on stdout.
-pub(super) fn print(text: &str) -> std::io::Result<()> {
-    let mut out = std::io::stdout().lock();
+pub(super) fn print(text: &str) -> anyhow::Result<()> {
+    write_lines(io::stdout().lock(), text).context("could not write to standard output")
+}
+
+/// A line of words on stderr. Nobody may be listening there any more; that is no reason to stop.
+pub(super) fn say(text: &str) {
+    let _ = write_lines(io::stderr().lock(), text);
+}
+
+fn write_lines(mut out: impl io::Write, text: &str) -> io::Result<()> {
     out.write_all(text.as_bytes())?;
     if !text.ends_with('\n') {
         out.write_all(b"\n")?;

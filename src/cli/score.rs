@@ -10,7 +10,7 @@ use clap::Args;
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
 use crate::bench::{DEMO_METHODS, DEMO_SCENES, Progress, REPEATS, ReferenceChoice, Request, SceneOutcome, score_scene};
-use crate::capture::{Cache, REFERENCE_SPEC};
+use crate::capture::{Cache, REFERENCE_SPEC, analytic};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::methods::Spec;
@@ -28,7 +28,7 @@ Examples:
   dejag score wires --reference analytic -m msaa -m msaa:resolve=gaussian
   dejag score all --size 320x180 --report report --json results.json
 
-A star marks the methods that no other beats in both time and error (mean FLIP). References are kept in the
+A star marks the methods that no other beats in both time and error (mean FLIP). References are kept in the \
 cache (`dejag cache`), so an interrupted run goes on where it was.")]
 pub(super) struct Score {
     /// Shipped scenes, scene files or models; `all` for every shipped scene [default: the demo set]
@@ -71,6 +71,8 @@ impl Score {
         let scenes: Vec<Scene> = self.names().iter().map(|name| load(name, self.drawing.quiet)).collect::<Result<_, _>>()?;
         let mut report = self.report.as_deref().map(HtmlReport::begin).transpose()?;
         let gpu = self.drawing.open()?;
+        gpu.check_size(self.size)?;
+        self.check(&scenes, &request)?;
         let results = self.score(&gpu, &scenes, &request, report.as_mut())?;
 
         if let Some(report) = report {
@@ -81,7 +83,10 @@ impl Score {
         }
         self.show(&results)?;
         if compared(&results) == 0 {
-            eprintln!("error: nothing was compared: no method runs on {}", gpu.card.name);
+            let card = &gpu.card.name;
+            output::say(&format!(
+                "error: nothing was compared: none of the methods runs on {card}; the results say why, `dejag doctor` what it has"
+            ));
             return Ok(ExitCode::from(4));
         }
         Ok(ExitCode::SUCCESS)
@@ -115,6 +120,21 @@ impl Score {
         })
     }
 
+    /// Finds out before the first scene is drawn what the last one lacks.
+    fn check(&self, scenes: &[Scene], request: &Request) -> Result<(), Error> {
+        for (i, scene) in scenes.iter().enumerate() {
+            if scenes[..i].iter().any(|other| other.fingerprint == scene.fingerprint && other.name == scene.name) {
+                return Err(Error::Request(format!("scene {} is given twice; give it once", scene.name)));
+            }
+            scene.frame(self.frame, self.size)?;
+            // The first scene's answer is asked for next anyway.
+            if matches!(request.reference, ReferenceChoice::Analytic) && i > 0 {
+                analytic::exact(scene, self.frame, self.size)?;
+            }
+        }
+        Ok(())
+    }
+
     fn score(
         &self,
         gpu: &Gpu,
@@ -124,7 +144,7 @@ impl Score {
     ) -> anyhow::Result<Results> {
         let cache = if self.no_cache { Cache::none() } else { Cache::of_user() };
         if let (true, Some(folder)) = (self.drawing.verbose, cache.folder()) {
-            eprintln!("cache: {}", folder.display());
+            output::say(&format!("cache: {}", folder.display()));
         }
         let mut bar = Bar::new(request.work() * scenes.len() as u64, self.drawing.quiet);
         let mut results = Results {
@@ -134,9 +154,16 @@ impl Score {
             size: request.size,
             scenes: Vec::new(),
         };
+        let mut warn = !self.drawing.quiet;
         for scene in scenes {
             let outcome = score_scene(gpu, scene, request, &cache, &mut bar)?;
             check_interrupt()?;
+            if let Some(why) = cache.failure().filter(|_| std::mem::take(&mut warn)) {
+                bar.aside(&format!(
+                    "warning: references are not kept, so the next run draws them anew: {why}; set DEJAG_CACHE_DIR to a folder \
+                     that can be written, or give --no-cache"
+                ));
+            }
             if let Some(report) = &mut report {
                 add_pictures(report, &outcome)?;
             }
@@ -153,6 +180,7 @@ impl Score {
         words.extend(self.names());
         words.extend(request.methods.iter().flat_map(|m| ["-m".to_owned(), m.to_string()]));
         words.extend(["--size".into(), format!("{width}x{height}"), "--frame".into(), self.frame.to_string()]);
+        words.extend(["--repeats".into(), self.repeats.to_string()]);
         words.extend(["--reference".into(), self.reference.clone(), "--adapter".into(), self.drawing.adapter.to_string()]);
         words
     }
@@ -166,7 +194,7 @@ impl Score {
         }
         if let (Some(folder), false) = (&self.report, self.drawing.quiet) {
             let page = std::path::absolute(folder.join("index.html")).context("finding the report")?;
-            eprintln!("report: {}", page.display());
+            output::say(&format!("report: {}", page.display()));
         }
         Ok(())
     }

@@ -1,20 +1,26 @@
 //! Progress bars, and stopping when asked to.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use super::output;
 use crate::capture::Watch;
 use crate::error::{Error, Result};
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// When Ctrl-C was first pressed.
+static INTERRUPTED: OnceLock<Instant> = OnceLock::new();
 
-/// From now on Ctrl-C lets the current step end and its temporary files vanish. A second one ends the process at once.
+/// How long whoever presses Ctrl-C again and again is asked to wait.
+const IMPATIENCE: Duration = Duration::from_secs(2);
+
+/// From now on Ctrl-C lets the current step end and its temporary files vanish. Another one, seconds later, ends the process at once.
 pub(super) fn listen_for_interrupts() {
     // Only fails if a handler is set already, and this runs once.
     let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::SeqCst) {
+        if INTERRUPTED.get_or_init(Instant::now).elapsed() > IMPATIENCE {
+            output::say("error: interrupted at once; hidden temporary files may be left beside the outputs");
             std::process::exit(130);
         }
     });
@@ -22,7 +28,7 @@ pub(super) fn listen_for_interrupts() {
 
 /// Whether Ctrl-C was pressed, as an error.
 pub(super) fn check_interrupt() -> Result<()> {
-    if INTERRUPTED.load(Ordering::SeqCst) { Err(Error::Interrupted) } else { Ok(()) }
+    if INTERRUPTED.get().is_some() { Err(Error::Interrupted) } else { Ok(()) }
 }
 
 /// A bar that shows how far a long run is and how much time is left. Hidden when quiet or when stderr is no terminal.
@@ -50,6 +56,11 @@ impl Bar {
 
     pub(super) fn say(&self, message: String) {
         self.bar.set_message(message);
+    }
+
+    /// Prints a line that stays, above the bar.
+    pub(super) fn aside(&self, line: &str) {
+        self.bar.suspend(|| output::say(line));
     }
 
     /// The current step is over; it was worth so much.

@@ -28,7 +28,7 @@ impl Gpu {
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        let mut bytes = Vec::with_capacity((row * u64::from(texture.height())) as usize);
+        let mut bytes = memory_for((row * u64::from(texture.height())) as usize)?;
         for top in (0..texture.height()).step_by(band as usize) {
             let rows = band.min(texture.height() - top);
             self.copy_rows(texture, aspect, top, rows, &buffer, padded_row as u32)?;
@@ -110,17 +110,17 @@ impl Gpu {
         };
         let bytes = self.read_bytes(texture, aspect)?;
         let pixels: Vec<[f32; 4]> = match texture.format() {
-            F::Rgba32Float => texels(&bytes, |b: [u8; 16]| bytemuck::cast(b)),
-            F::Rgba16Float => texels(&bytes, |b: [u8; 8]| bytemuck::cast::<_, [u16; 4]>(b).map(|h| f16::from_bits(h).to_f32())),
+            F::Rgba32Float => texels(&bytes, |b: [u8; 16]| bytemuck::cast(b))?,
+            F::Rgba16Float => texels(&bytes, |b: [u8; 8]| bytemuck::cast::<_, [u16; 4]>(b).map(|h| f16::from_bits(h).to_f32()))?,
             F::Rg32Float => texels(&bytes, |b: [u8; 8]| {
                 let [x, y]: [f32; 2] = bytemuck::cast(b);
                 [x, y, 0.0, 1.0]
-            }),
+            })?,
             F::Depth32Float | F::Depth32FloatStencil8 | F::R32Float => {
-                texels(&bytes, |b: [u8; 4]| [f32::from_ne_bytes(b), 0.0, 0.0, 1.0])
+                texels(&bytes, |b: [u8; 4]| [f32::from_ne_bytes(b), 0.0, 0.0, 1.0])?
             }
-            F::R32Uint => texels(&bytes, |b: [u8; 4]| [u32::from_ne_bytes(b) as f32, 0.0, 0.0, 1.0]),
-            F::Rgba8Unorm | F::Rgba8UnormSrgb => texels(&bytes, |b: [u8; 4]| b.map(|x| f32::from(x) / 255.0)),
+            F::R32Uint => texels(&bytes, |b: [u8; 4]| [u32::from_ne_bytes(b) as f32, 0.0, 0.0, 1.0])?,
+            F::Rgba8Unorm | F::Rgba8UnormSrgb => texels(&bytes, |b: [u8; 4]| b.map(|x| f32::from(x) / 255.0))?,
             other => {
                 return Err(Error::Unsupported(format!("a texture of format {other:?} cannot be looked at")));
             }
@@ -129,6 +129,19 @@ impl Gpu {
     }
 }
 
-fn texels<const N: usize>(bytes: &[u8], decode: impl Fn([u8; N]) -> [f32; 4]) -> Vec<[f32; 4]> {
-    bytes.as_chunks::<N>().0.iter().map(|texel| decode(*texel)).collect()
+fn texels<const N: usize>(bytes: &[u8], decode: impl Fn([u8; N]) -> [f32; 4]) -> Result<Vec<[f32; 4]>> {
+    let texels = bytes.as_chunks::<N>().0;
+    let mut pixels = memory_for(texels.len())?;
+    pixels.extend(texels.iter().map(|texel| decode(*texel)));
+    Ok(pixels)
+}
+
+/// An empty list with room for `count`: pictures are the one thing here that can be larger than memory.
+fn memory_for<T>(count: usize) -> Result<Vec<T>> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count).map_err(|_| Error::Gpu {
+        kind: "out of memory",
+        message: format!("no room for {} bytes of picture; choose a smaller size", count.saturating_mul(size_of::<T>())),
+    })?;
+    Ok(list)
 }

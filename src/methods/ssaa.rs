@@ -56,8 +56,12 @@ pub(super) const METHOD: Method = Method {
     layouts: &[],
 };
 
-/// Jitters a request: enough to hide what a request costs, few enough to keep a long capture responsive.
-const JITTERS_A_DRAW: usize = 50;
+/// Jitters a request: enough to hide what a request costs, few enough to keep a long capture of a large picture responsive.
+fn jitters_a_draw([width, height]: [u32; 2]) -> usize {
+    const SAMPLES_A_DRAW: u64 = 20_000_000;
+    let pixels = u64::from(width) * u64::from(height);
+    (SAMPLES_A_DRAW / pixels).clamp(4, 50) as usize
+}
 
 #[derive(Debug)]
 struct Ssaa {
@@ -110,6 +114,7 @@ impl Technique for Ssaa {
         Ok(Box::new(Accumulation {
             device: context.device.clone(),
             jitters: Arc::clone(&self.jitters),
+            jitters_a_draw: jitters_a_draw(context.size),
             halves: ["ssaa half-a", "ssaa half-b"].map(|label| accumulator(context, label)),
             normalize: ScreenPass::new(context.device, "ssaa normalize", &SHADER, "fs_normalize", &[], context.output_format),
         }))
@@ -134,6 +139,7 @@ fn accumulator(context: &Context<'_>, label: &str) -> wgpu::Texture {
 struct Accumulation {
     device: wgpu::Device,
     jitters: Arc<[Jitter]>,
+    jitters_a_draw: usize,
     halves: [wgpu::Texture; 2],
     normalize: ScreenPass,
 }
@@ -142,9 +148,9 @@ impl Accumulation {
     /// Which half the `k`-th request adds to, and which jitters it draws. No request straddles the halves.
     fn request(&self, k: u32) -> Option<(usize, bool, &[Jitter])> {
         let (a, b) = self.jitters.split_at(self.jitters.len().div_ceil(2));
-        let requests_a = a.len().div_ceil(JITTERS_A_DRAW);
+        let requests_a = a.len().div_ceil(self.jitters_a_draw);
         let (half, jitters, k) = if (k as usize) < requests_a { (0, a, k as usize) } else { (1, b, k as usize - requests_a) };
-        let chunk = jitters.chunks(JITTERS_A_DRAW).nth(k)?;
+        let chunk = jitters.chunks(self.jitters_a_draw).nth(k)?;
         Some((half, k == 0, chunk))
     }
 

@@ -20,14 +20,14 @@ pub(super) struct Staging {
 }
 
 impl Staging {
-    /// Begins a folder that is to become `target`, whose parents are created. Refuses a target that holds something else.
+    /// Begins a folder that is to become `target`, whose parents are created when it does. Refuses a target that holds something
+    /// else.
     pub(super) fn begin(target: &Path) -> Result<Self> {
         // A link keeps pointing where it did; what it points to is replaced.
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_path_buf());
         refuse_foreign(&target)?;
-        let parent = parent_of(&target)?;
-        fs::create_dir_all(&parent).map_err(Error::io("create the folder", &parent))?;
-        let folder = Builder::new().prefix(".dejag-report-").tempdir_in(&parent).map_err(Error::io("write into", &parent))?;
+        let nearest = nearest_existing(&parent_of(&target)?);
+        let folder = Builder::new().prefix(".dejag-report-").tempdir_in(&nearest).map_err(Error::io("write into", &nearest))?;
         write_bytes_atomically(&folder.path().join(MARKER), MARKER_TEXT)?;
         Ok(Self { target, folder })
     }
@@ -41,6 +41,7 @@ impl Staging {
     pub(super) fn publish(self) -> Result<()> {
         refuse_foreign(&self.target)?;
         let parent = parent_of(&self.target)?;
+        fs::create_dir_all(&parent).map_err(Error::io("create the folder", &parent))?;
         // The old report's way back, should the new one not get in: it is deleted only after.
         let attic = Builder::new().prefix(".dejag-report-").tempdir_in(&parent).map_err(Error::io("write into", &parent))?;
         let old = attic.path().join("old");
@@ -88,6 +89,12 @@ fn parent_of(target: &Path) -> Result<PathBuf> {
     }
 }
 
+/// The folder that a path's missing folders will be made in: on the same file system, so that a rename can get there.
+fn nearest_existing(path: &Path) -> PathBuf {
+    let existing = path.ancestors().find(|folder| folder.exists());
+    existing.unwrap_or(Path::new(".")).to_path_buf()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,7 +125,7 @@ mod tests {
     #[test]
     fn what_is_dropped_leaves_nothing() {
         let home = tempfile::tempdir().expect("a folder");
-        drop(Staging::begin(&home.path().join("report")).expect("begun"));
+        drop(Staging::begin(&home.path().join("deep/er/report")).expect("begun"));
         assert!(names(home.path()).is_empty());
     }
 

@@ -95,8 +95,8 @@ impl SceneFiles {
 }
 
 impl HtmlReport {
-    /// Begins a report that is to become the folder `dir`, whose parents are created. Nothing is seen there until
-    /// [`Self::finish`].
+    /// Begins a report that is to become the folder `dir`. Nothing is seen there until [`Self::finish`], which creates its parents
+    /// too.
     ///
     /// # Errors
     ///

@@ -40,14 +40,14 @@ fn scene_file(path: &Path, name: &str) -> Result<Scene> {
 
 /// The bytes of a regular file of at most `limit` bytes.
 pub(super) fn read(path: &Path, limit: u64, expected: &'static str) -> Result<Vec<u8>> {
-    let file = File::open(path).map_err(Error::io("read", path))?;
-    let metadata = file.metadata().map_err(Error::io("read", path))?;
-    // A pipe or a device may never end.
+    // Before it is opened: a pipe waits there for somebody to write, and it or a device may never end.
+    let metadata = std::fs::metadata(path).map_err(Error::io("read", path))?;
     if !metadata.is_file() {
         let kind = if metadata.is_dir() { std::io::ErrorKind::IsADirectory } else { std::io::ErrorKind::InvalidInput };
         let message = if metadata.is_dir() { "it is a folder; expected a file" } else { "it is not a regular file" };
         return Err(Error::io("read", path)(std::io::Error::new(kind, message)));
     }
+    let file = File::open(path).map_err(Error::io("read", path))?;
     let mut bytes = Vec::new();
     file.take(limit + 1).read_to_end(&mut bytes).map_err(Error::io("read", path))?;
     if bytes.len() as u64 > limit {

@@ -1,1 +1,13 @@
-//! The command itself, as a user runs it.
+//! The command itself, as a user runs it: exit codes, what is said where, and what is left behind.
+
+mod caching;
+mod desk;
+mod models;
+mod names;
+mod outputs;
+mod repeating;
+mod scenes;
+mod sizes;
+mod stopping;
+mod streams;
+mod texts;

@@ -314,7 +314,7 @@ fn views_show_what_lies_beside_the_colour() {
     let moving = view(ViewKind::Motion, 1);
     assert!(moving.pixels().iter().any(|p| p[0].abs() > 0.05), "the camera pans");
     let unknown = studio.view(&ViewKind::Intermediate("edges".into()), &none, 0, [8, 8], &mut ()).expect_err("has none");
-    assert!(unknown.to_string().contains("color, depth, motion, ids"), "{unknown}");
+    assert!(unknown.to_string().contains("colour, depth, motion, ids"), "{unknown}");
 }
 
 #[test]
