@@ -115,7 +115,7 @@ impl Place<'_> {
         if (SMALLEST..=LARGEST).contains(&value) {
             Ok(value)
         } else {
-            Err(self.error(format!("{value} is too small; expected a number of at least {SMALLEST}")))
+            Err(self.error(format!("{value:?} is too small; expected a number of at least {SMALLEST}")))
         }
     }
 

@@ -6,7 +6,7 @@ use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
 use super::Failure;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::scene::load;
 
 /// Base64 with or without its padding: exporters write both.
@@ -30,7 +30,12 @@ pub(super) fn read(model: &Path, uri: &str, limit: u64, expected: &'static str) 
         return Err(model.failure(format!("it leads to {scheme}: URIs; expected files beside the model or data: URIs")));
     }
     let path = beside(model, uri);
-    Ok(Resource { bytes: load::read(&path, limit, expected)?, path })
+    let bytes = load::read(&path, limit, expected).map_err(|error| match error {
+        // Who asks for a file that the user never named.
+        Error::Io { path, source, .. } => Error::Io { action: "read what the model names,", path, source },
+        other => other,
+    })?;
+    Ok(Resource { bytes, path })
 }
 
 fn inline(model: &Path, data: &str) -> Result<Vec<u8>> {
