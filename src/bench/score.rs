@@ -7,12 +7,12 @@ use crate::capture::{Cache, Capture, Reference, Shot, Studio, Watch, analytic};
 use crate::error::{Error, Result};
 use crate::gpu::{Card, Gpu};
 use crate::methods::Spec;
-use crate::metrics::{self, Figure, METRICS, Pair};
-use crate::picture::{BitDepth, DisplayPicture, LinearPicture};
+use crate::metrics::{self, METRICS, Pair};
+use crate::picture::{BitDepth, DisplayPicture, LinearPicture, NonFinite};
 use crate::scene::Scene;
 use crate::suite::{
-    AnalyticDistance, MethodResult, NoiseFloor, NonFinite, Outcome, PassTiming, ReferenceResult, ReferenceTiming, SceneResult,
-    Score, Spread, Stamp, Timing, Value,
+    AnalyticDistance, MethodResult, NoiseFloor, Outcome, PassTiming, ReferenceResult, ReferenceTiming, SceneResult, Score,
+    Spread, Stamp, Timing,
 };
 
 /// What `dejag score` and `make demo` draw unless told otherwise.
@@ -273,20 +273,10 @@ fn held_against(capture: &Capture, truth: &Truth, exposure: f32) -> Result<(Vec<
         Some(linear) => Pair::new(&display, &truth.display)?.with_linear(linear, &truth.linear)?,
         None => Pair::new(&display, &truth.display)?,
     };
-    let scores =
-        METRICS.iter().map(|metric| Score { metric: metric.id.to_owned(), value: value(metric.evaluate(&pair)) }).collect();
-    let non_finite = linear.as_ref().and_then(LinearPicture::non_finite).map(|n| NonFinite { pixels: n.pixels, first: n.first });
+    let scores = METRICS.iter().map(|metric| Score { metric: metric.id.to_owned(), value: metric.evaluate(&pair) }).collect();
+    let non_finite = linear.as_ref().and_then(LinearPicture::non_finite);
     let error_map = metrics::error_map(&pair)?;
     Ok((scores, non_finite, Pictures { capture: display, error_map }))
-}
-
-fn value(figure: Figure) -> Value {
-    match figure {
-        Figure::Number(x) => Value::Number(x),
-        Figure::Infinite => Value::Infinite,
-        Figure::NonFinite => Value::NonFinite,
-        Figure::NotApplicable => Value::NotApplicable,
-    }
 }
 
 impl Ready {
@@ -364,6 +354,7 @@ fn cost_and_error(outcome: &Outcome) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::metrics::Figure;
 
     fn pass(label: &str, ms: f64) -> PassTime {
         PassTime { label: label.into(), ms }
@@ -390,7 +381,7 @@ mod tests {
             outcome: Outcome::Scored {
                 samples_per_pixel: 1.0,
                 target_bytes: 0,
-                scores: vec![Score { metric: flip.into(), value: Value::Number(error) }],
+                scores: vec![Score { metric: flip.into(), value: Figure::Number(error) }],
                 non_finite: None,
                 timing: timing(&[vec![pass("draw", ms)]], "wall clock"),
             },

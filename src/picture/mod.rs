@@ -18,6 +18,7 @@ pub use save::{FileFormat, Metadata};
 pub use srgb::{srgb_decode, srgb_encode};
 
 use crate::{Error, Result};
+use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
 
 /// Red, green, blue, alpha.
@@ -47,7 +48,7 @@ pub struct Picture<E> {
 }
 
 /// Pixels with a channel that is NaN or infinite.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NonFinite {
     /// How many, at least 1.
     pub pixels: u64,

@@ -127,7 +127,7 @@ fn flip_cell(scene: &SceneResult, spec: &str) -> Markup {
 }
 
 /// A table cell with a metric's figure; words explain themselves.
-pub(super) fn value_cell(metric: &str, value: crate::suite::Value) -> Markup {
+pub(super) fn value_cell(metric: &str, value: crate::metrics::Figure) -> Markup {
     html! { td title=[words::explanation(value)] { (words::figure(metric, value)) } }
 }
 

@@ -81,8 +81,8 @@ fn time_and_error(method: &MethodResult) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::metrics::Figure;
     use crate::report::sample;
-    use crate::suite::Value;
 
     #[test]
     fn failed_and_non_finite_methods_are_named_not_drawn() {
@@ -99,7 +99,7 @@ mod tests {
         let complete = over_all(&results, &labels);
         let lost = results.scenes[1].methods[0].spec.clone();
         if let Outcome::Scored { scores, .. } = &mut results.scenes[1].methods[0].outcome {
-            scores.iter_mut().for_each(|score| score.value = Value::NotApplicable);
+            scores.iter_mut().for_each(|score| score.value = Figure::NotApplicable);
         }
         let partial = over_all(&results, &labels);
         assert!(complete.shown.iter().any(|point| point.label == lost));

@@ -1,7 +1,7 @@
 //! Made-up results and pictures for the tests.
 
-use crate::metrics::METRICS;
-use crate::picture::DisplayPicture;
+use crate::metrics::{Figure, METRICS};
+use crate::picture::{DisplayPicture, NonFinite};
 use crate::suite::*;
 
 /// Size of the sample's pictures in pixels.
@@ -68,17 +68,17 @@ fn scored(i: usize, slower: f64) -> Outcome {
     }
 }
 
-fn value(metric: &str, i: usize) -> Value {
+fn value(metric: &str, i: usize) -> Figure {
     let better = 1.0 / (1.0 + i as f64);
     match (metric, i) {
-        (_, 4) => Value::NonFinite,
-        ("psnr" | "psnr-linear", 5) => Value::Infinite,
-        ("rel-rmse", 0) => Value::NotApplicable,
-        ("psnr" | "psnr-linear", _) => Value::Number(24.1 + 3.0 * i as f64),
-        ("ssim", _) => Value::Number(1.0 - 0.08 * better),
-        ("energy", _) => Value::Number(1.0 + 0.001 * better),
-        ("max-error", _) => Value::Number(200.0 * better),
-        _ => Value::Number(0.031 * better),
+        (_, 4) => Figure::NonFinite,
+        ("psnr" | "psnr-linear", 5) => Figure::Infinite,
+        ("rel-rmse", 0) => Figure::NotApplicable,
+        ("psnr" | "psnr-linear", _) => Figure::Number(24.1 + 3.0 * i as f64),
+        ("ssim", _) => Figure::Number(1.0 - 0.08 * better),
+        ("energy", _) => Figure::Number(1.0 + 0.001 * better),
+        ("max-error", _) => Figure::Number(200.0 * better),
+        _ => Figure::Number(0.031 * better),
     }
 }
 

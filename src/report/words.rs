@@ -1,7 +1,7 @@
 //! Figures and names as people read them; shared by the terminal's table and the page.
 
-use crate::metrics::METRICS;
-use crate::suite::{NoiseFloor, Outcome, ReferenceResult, SceneResult, Spread, Stamp, Value};
+use crate::metrics::{Figure, METRICS};
+use crate::suite::{NoiseFloor, Outcome, ReferenceResult, SceneResult, Spread, Stamp};
 
 /// What stands where there is no figure.
 pub(super) const NONE: &str = "–";
@@ -41,22 +41,22 @@ pub(super) fn spread_percent(spread: &Spread) -> String {
 }
 
 /// A metric's figure with the digits that mean something. An infinite PSNR is that of equal pictures.
-pub(super) fn figure(metric: &str, value: Value) -> String {
+pub(super) fn figure(metric: &str, value: Figure) -> String {
     match value {
-        Value::Number(x) => number(metric, x),
-        Value::Infinite => "inf".into(),
-        Value::NonFinite => "NaN".into(),
-        Value::NotApplicable => NONE.into(),
+        Figure::Number(x) => number(metric, x),
+        Figure::Infinite => "inf".into(),
+        Figure::NonFinite => "NaN".into(),
+        Figure::NotApplicable => NONE.into(),
     }
 }
 
 /// What [`figure`]'s words mean, for those who point at them.
-pub(super) fn explanation(value: Value) -> Option<&'static str> {
+pub(super) fn explanation(value: Figure) -> Option<&'static str> {
     match value {
-        Value::Number(_) => None,
-        Value::Infinite => Some("infinite: the pictures are equal in what this metric reads"),
-        Value::NonFinite => Some("not a number: a picture has pixels that are NaN or infinite"),
-        Value::NotApplicable => Some("this metric does not apply here"),
+        Figure::Number(_) => None,
+        Figure::Infinite => Some("infinite: the pictures are equal in what this metric reads"),
+        Figure::NonFinite => Some("not a number: a picture has pixels that are NaN or infinite"),
+        Figure::NotApplicable => Some("this metric does not apply here"),
     }
 }
 
@@ -69,15 +69,15 @@ fn number(metric: &str, x: f64) -> String {
     if x.abs() < 1e5 { format!("{x:.digits$}") } else { format!("{x:.1e}") }
 }
 
-/// The figure of the metric of that name; [`Value::NotApplicable`] if the results do not have it in the version known here.
-pub(super) fn score(outcome: &Outcome, metric: &str) -> Value {
+/// The figure of the metric of that name; [`Figure::NotApplicable`] if the results do not have it in the version known here.
+pub(super) fn score(outcome: &Outcome, metric: &str) -> Figure {
     let id = METRICS.iter().find(|known| known.name == metric).map(|known| known.id);
     match outcome {
         Outcome::Scored { scores, .. } => {
             let found = scores.iter().find(|score| Some(score.metric.as_str()) == id);
-            found.map_or(Value::NotApplicable, |score| score.value)
+            found.map_or(Figure::NotApplicable, |score| score.value)
         }
-        Outcome::Failed { .. } => Value::NotApplicable,
+        Outcome::Failed { .. } => Figure::NotApplicable,
     }
 }
 
@@ -194,10 +194,10 @@ mod tests {
 
     #[test]
     fn words_stand_for_what_is_no_number() {
-        assert_eq!(figure("psnr", Value::Infinite), "inf");
-        assert_eq!(figure("flip", Value::NonFinite), "NaN");
-        assert_eq!(figure("flip", Value::NotApplicable), NONE);
-        assert_eq!(figure("psnr", Value::Number(35.2006)), "35.20");
-        assert_eq!(figure("rel-rmse", Value::Number(1.25e7)), "1.2e7");
+        assert_eq!(figure("psnr", Figure::Infinite), "inf");
+        assert_eq!(figure("flip", Figure::NonFinite), "NaN");
+        assert_eq!(figure("flip", Figure::NotApplicable), NONE);
+        assert_eq!(figure("psnr", Figure::Number(35.2006)), "35.20");
+        assert_eq!(figure("rel-rmse", Figure::Number(1.25e7)), "1.2e7");
     }
 }

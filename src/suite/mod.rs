@@ -3,6 +3,6 @@
 mod results;
 
 pub use results::{
-    AnalyticDistance, MethodResult, NoiseFloor, NonFinite, Outcome, PassTiming, ReferenceResult, ReferenceTiming, Results,
-    SCHEMA_VERSION, SceneResult, Score, Spread, Stamp, Timing, Value,
+    AnalyticDistance, MethodResult, NoiseFloor, Outcome, PassTiming, ReferenceResult, ReferenceTiming, Results, SCHEMA_VERSION,
+    SceneResult, Score, Spread, Stamp, Timing,
 };

@@ -5,6 +5,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::metrics::Figure;
+use crate::picture::NonFinite;
+
 /// Version of the JSON's shape; it rises when a key changes its meaning or goes away.
 pub const SCHEMA_VERSION: u32 = 1;
 
@@ -139,47 +142,11 @@ pub struct Score {
     /// The metric's versioned id, such as `psnr/1`. Figures of different ids must not be compared.
     pub metric: String,
     /// The figure.
-    pub value: Value,
+    pub value: Figure,
 }
 
-/// A figure, or why there is none. In JSON: a number, `"inf"`, `"non-finite"` or `null`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Value {
-    /// A finite number.
-    Number(f64),
-    /// Plus infinity: the PSNR of equal pictures.
-    Infinite,
-    /// The picture has pixels that are NaN or infinite, so the figure would mean nothing.
-    NonFinite,
-    /// The metric does not apply, such as a linear metric to a method that only makes display values.
-    NotApplicable,
-}
-
-impl Value {
-    /// The number, with infinity as such; none where there is no figure.
-    #[must_use]
-    pub fn number(self) -> Option<f64> {
-        match self {
-            Self::Number(x) => Some(x),
-            Self::Infinite => Some(f64::INFINITY),
-            Self::NonFinite | Self::NotApplicable => None,
-        }
-    }
-}
-
-impl From<f64> for Value {
-    fn from(x: f64) -> Self {
-        if x.is_finite() {
-            Self::Number(x)
-        } else if x == f64::INFINITY {
-            Self::Infinite
-        } else {
-            Self::NonFinite
-        }
-    }
-}
-
-impl Serialize for Value {
+/// In JSON: a number, `"inf"`, `"non-finite"` or `null`.
+impl Serialize for Figure {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Number(x) => serializer.serialize_f64(*x),
@@ -190,7 +157,7 @@ impl Serialize for Value {
     }
 }
 
-impl<'de> Deserialize<'de> for Value {
+impl<'de> Deserialize<'de> for Figure {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
         #[serde(untagged)]
@@ -208,15 +175,6 @@ impl<'de> Deserialize<'de> for Value {
             ))),
         }
     }
-}
-
-/// Pixels with a channel that is NaN or infinite.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct NonFinite {
-    /// How many.
-    pub pixels: u64,
-    /// Column and row of the first in reading order.
-    pub first: [u32; 2],
 }
 
 /// What a method costs on one scene. All in milliseconds.
@@ -284,11 +242,11 @@ mod tests {
 
     #[test]
     fn values_survive_json() {
-        for value in [Value::Number(1.5), Value::Infinite, Value::NonFinite, Value::NotApplicable] {
+        for value in [Figure::Number(1.5), Figure::Infinite, Figure::NonFinite, Figure::NotApplicable] {
             let json = serde_json::to_string(&value).expect("serializable");
-            assert_eq!(serde_json::from_str::<Value>(&json).expect("readable"), value, "{json}");
+            assert_eq!(serde_json::from_str::<Figure>(&json).expect("readable"), value, "{json}");
         }
-        assert!(serde_json::from_str::<Value>("\"often\"").is_err());
+        assert!(serde_json::from_str::<Figure>("\"often\"").is_err());
     }
 
     #[test]

@@ -243,10 +243,11 @@ fn texture_transforms_are_baked_where_all_textures_share_them() {
 #[test]
 fn nodes_multiply_their_transforms() {
     let mut sample = Sample::triangle();
+    let half = std::f64::consts::FRAC_1_SQRT_2;
     sample.json["nodes"] = json!([
         { "translation": [1, 0, 0], "scale": [2, 2, 2], "children": [1] },
         { "matrix": [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 5, 0, 1], "mesh": 0, "children": [2] },
-        { "rotation": [0, 0, 0.70710678, 0.70710678], "mesh": 0 },
+        { "rotation": [0, 0, half, half], "mesh": 0 },
     ]);
     let instances = instances(&scene(&sample).unwrap(), 0);
     let corner = |k: usize| instances[k].world_from_object.transform_point3(DVec3::X);

@@ -100,7 +100,7 @@ fn closed_shapes_have_no_holes() {
 fn areas_and_volumes_are_those_of_geometry() {
     use std::f64::consts::PI;
     let close = |value: f64, expected: f64, what: &str| {
-        assert!((value / expected - 1.0).abs() < 0.02, "{what}: {value} against {expected}")
+        assert!((value / expected - 1.0).abs() < 0.02, "{what}: {value} against {expected}");
     };
     close(area(&mesh("quad = { size = [2, 3] }")), 6.0, "quad");
     close(area(&mesh("disk = { radius = 2, segments = 64 }")), 4.0 * PI, "disk");
