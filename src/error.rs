@@ -134,7 +134,7 @@ fn advice(source: &std::io::Error) -> &'static str {
 pub fn unknown(what: &str, given: &str, known: &[&str]) -> Error {
     let nearest = known
         .iter()
-        .map(|name| (edit_distance(given, name), name))
+        .map(|name| (edit_distance(&given.to_lowercase(), name), name))
         .min()
         .filter(|(distance, name)| *distance <= 1 + name.len() / 3);
     let hint = nearest.map_or(String::new(), |(_, name)| format!("; did you mean '{name}'?"));

@@ -47,7 +47,8 @@
 //! let mut encoder = device.create_command_encoder(&Default::default());
 //! let mut k = 0;
 //! while let Some(draw) = pass.next_draw(k) {
-//!     // Draw your scene here as `draw` says: its samples, its jitters, its target.
+//!     // Draw your scene here as `draw` says: into `color` (here of `draw.samples` samples a pixel), moved by its jitter, or
+//!     // into the sum or output that `draw.target` names.
 //!     let still = glam::Mat4::IDENTITY.to_cols_array_2d();
 //!     let frame = FrameFacts { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip: still };
 //!     let inputs = Inputs { color, color_decoded: None, samples: None, depth: None, motion: None, ids: None, frame };

@@ -178,8 +178,20 @@ fn fs_extras(in: ExtrasVertex) -> Extras {
     if MASKED && base_color(vec4<f32>(1.0, 1.0, 1.0, in.opacity), in.uv).a < material.alpha_cutoff {
         discard;
     }
-    let ndc = in.previous_clip.xy / in.previous_clip.w - in.clip.xy / in.clip.w;
-    return Extras(0.5 * frame.size_px * vec2<f32>(ndc.x, -ndc.y), in.id);
+    return Extras(motion_px(in.clip, in.previous_clip), in.id);
+}
+
+fn motion_px(clip: vec4<f32>, previous_clip: vec4<f32>) -> vec2<f32> {
+    let ndc = previous_clip.xy / previous_clip.w - clip.xy / clip.w;
+    return 0.5 * frame.size_px * vec2<f32>(ndc.x, -ndc.y);
+}
+
+// Where no surface is: what lies at infinity (or on the far plane) moves as the camera turns.
+@fragment
+fn fs_background_extras(@builtin(position) position: vec4<f32>) -> Extras {
+    let ndc = 2.0 * position.xy / frame.size_px - 1.0;
+    let clip = vec4<f32>(ndc.x, -ndc.y, 0.0, 1.0);
+    return Extras(motion_px(clip, frame.previous_clip_from_clip * clip), 0u);
 }
 
 // Writes the stencil where the mask is zero.

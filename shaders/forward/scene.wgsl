@@ -8,6 +8,8 @@ struct FrameUniforms {
     background: vec4<f32>,
     // World-space direction from the scene to the camera if w is 1 (parallel rays); else it follows from the position.
     to_camera: vec4<f32>,
+    // From clip space of this frame to that of the frame before, for points that stand still; without jitter.
+    previous_clip_from_clip: mat4x4<f32>,
     size_px: vec2<f32>,
     // Of all jitters of this draw.
     sum_of_weights: f32,

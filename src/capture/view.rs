@@ -23,6 +23,18 @@ pub enum ViewKind {
     Intermediate(String),
 }
 
+impl std::fmt::Display for ViewKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Color => "colour",
+            Self::Depth => "depth",
+            Self::Motion => "motion",
+            Self::Ids => "ids",
+            Self::Intermediate(name) => name,
+        })
+    }
+}
+
 impl std::str::FromStr for ViewKind {
     type Err = std::convert::Infallible;
 

@@ -22,7 +22,13 @@ Examples:
   dejag capture my-scene.toml -m msaa:samples=4,weight=luma -o linear.exr
   dejag capture pan --frame 12 --view motion -o motion.png
 
-PNG files hold display values (exposed, tone-mapped, sRGB), EXR files linear ones.")]
+PNG files hold display values (exposed, tone-mapped, sRGB), EXR files linear ones before the exposure.
+
+Views, at the pixels' centres whatever the method:
+  depth   reversed, 1 at the near plane (near / distance in perspective), 0 at infinity; EXR: red, PNG: its fourth root
+  motion  pixels from this frame to the one before, right and down; EXR: red and green, PNG: grey at rest, full at 16
+  ids     whole numbers from 1, 0 for the background; EXR: red, PNG: a colour each
+An intermediate of a method (half-a and half-b of ssaa) is written as it is, without exposure and tone map.")]
 pub(super) struct Capture {
     /// A shipped scene's name, a scene file (.toml), or a model (.gltf, .glb), which is framed automatically
     scene: String,
@@ -71,8 +77,8 @@ impl Capture {
         output::save(&view, &self.output, format, depth, &metadata)?;
         bar.finish();
         if !self.drawing.quiet {
-            let [width, height] = self.size;
-            output::say(&format!("{}: {} with {spec}, {width}x{height}", self.output.display(), scene.name));
+            let ([width, height], path, name) = (self.size, self.output.display(), &scene.name);
+            output::say(&format!("{path}: {} of {name} with {spec}, frame {frame}, {width}x{height}", self.view));
         }
         Ok(ExitCode::SUCCESS)
     }

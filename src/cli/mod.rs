@@ -33,7 +33,7 @@ Examples:
   dejag list methods
   dejag doctor
 
-Exit codes: 0 fine; 1 a missed threshold; 2 a request that makes no sense; 3 could not run or write; 4 nothing was \
+Exit codes: 0 fine; 2 a request that makes no sense; 3 could not run or write; 4 nothing was \
 compared; 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
@@ -54,7 +54,7 @@ struct Drawing {
     /// auto (discrete GPU, integrated, then software), software, or part of an adapter's name
     #[arg(long, value_name = "WHICH", default_value = "auto", env = "DEJAG_ADAPTER")]
     adapter: AdapterChoice,
-    /// No progress and no words, only errors
+    /// No progress and no words, only results and errors
     #[arg(short, long)]
     quiet: bool,
     /// Say more: the adapter, and where references are kept

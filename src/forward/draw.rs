@@ -47,6 +47,11 @@ fn extras_step(targets: &Targets) -> Option<Step> {
     (motion || ids).then_some(Step::Extras { motion, ids })
 }
 
+fn extras_fill(targets: &Targets) -> Option<Fill> {
+    let (motion, ids) = (targets.motion.is_some(), targets.ids.is_some());
+    (motion || ids).then_some(Fill::Extras { motion, ids, depth: targets.depth.format() })
+}
+
 fn fills(request: &Draw, color: Option<wgpu::TextureFormat>) -> Vec<Fill> {
     let mut fills = Vec::new();
     if request.mask.is_some() {
@@ -77,6 +82,9 @@ fn prepare_pipelines(forward: &mut Forward, request: &Draw, targets: &Targets, o
     }
     for fill in fills(request, Some(color_format(request, output))) {
         forward.pipelines.fill(fill, targets.samples, request.mask.is_some());
+    }
+    if let Some(fill) = extras_fill(targets) {
+        forward.pipelines.fill(fill, 1, false);
     }
 }
 
@@ -144,7 +152,7 @@ fn record_sum(forward: &mut Forward, recorder: &mut Recorder<'_>, request: &Draw
         recorder.render(&descriptor, |pass| {
             forward.begin(pass, request, Some(wgpu::TextureFormat::Rgba32Float), 1);
             if nth == 0 {
-                forward.background(pass, masked);
+                forward.screen(pass, Fill::Background, masked);
             }
             for (&jitter, place) in chunk.iter().zip(1..) {
                 let [far, near] = depth_slice(place, chunk.len() as u32);
@@ -181,9 +189,13 @@ fn record_extras(forward: &mut Forward, recorder: &mut Recorder<'_>, targets: &T
         depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, targets.depth.format())),
         ..Default::default()
     };
+    let (format, fill) = (targets.depth.format(), extras_fill(targets));
     recorder.render(&descriptor, |pass| {
         pass.set_bind_group(0, &forward.resources.frame_group, &[]);
-        forward.surfaces(pass, step, 0, targets.samples, targets.depth.format(), false);
+        if let Some(fill) = fill {
+            forward.screen(pass, fill, false);
+        }
+        forward.surfaces(pass, step, 0, targets.samples, format, false);
     });
 }
 
@@ -200,8 +212,8 @@ impl Forward {
         }
     }
 
-    fn background(&mut self, pass: &mut wgpu::RenderPass<'_>, masked: bool) {
-        pass.set_pipeline(self.pipelines.fill(Fill::Background, 1, masked));
+    fn screen(&mut self, pass: &mut wgpu::RenderPass<'_>, fill: Fill, masked: bool) {
+        pass.set_pipeline(self.pipelines.fill(fill, 1, masked));
         pass.draw(0..3, 0..1);
     }
 

@@ -61,6 +61,8 @@ pub(super) enum Fill {
     Background,
     /// Forbids drawing where the mask texture is zero.
     Stencil { color: Option<wgpu::TextureFormat> },
+    /// Motion of what lies at infinity, and id 0.
+    Extras { motion: bool, ids: bool, depth: wgpu::TextureFormat },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -182,10 +184,7 @@ impl Pipelines {
             Step::Sum => ("vs_surface", Some("fs_sum"), vec![Some(additive(wgpu::BlendFactor::Constant))]),
             Step::Depth if kind.masked => ("vs_mask", Some("fs_mask"), vec![]),
             Step::Depth => ("vs_depth", None, vec![]),
-            Step::Extras { motion, ids } => {
-                let motion = motion.then(|| wgpu::TextureFormat::Rg32Float.into());
-                ("vs_extras", Some("fs_extras"), vec![motion, ids.then(|| wgpu::TextureFormat::R32Uint.into())])
-            }
+            Step::Extras { motion, ids } => ("vs_extras", Some("fs_extras"), extras_targets(motion, ids)),
         };
         let targets = if step == Step::Depth { vec![Some(no_color())] } else { targets };
         let has_fragment = fragment.is_some();
@@ -225,13 +224,18 @@ impl Pipelines {
     }
 
     fn make_fill(&self, fill: Fill, samples: u32, masked_draw: bool) -> wgpu::RenderPipeline {
-        let (layout, fragment, target) = match fill {
-            Fill::Background => (&self.fill_layout, "fs_background", Some(additive(wgpu::BlendFactor::One))),
-            Fill::Stencil { color } => (&self.stencil_layout, "fs_stencil", color.map(no_color_of)),
+        let (layout, fragment, targets) = match fill {
+            Fill::Background => (&self.fill_layout, "fs_background", vec![Some(additive(wgpu::BlendFactor::One))]),
+            Fill::Stencil { color } => (&self.stencil_layout, "fs_stencil", vec![color.map(no_color_of)]),
+            Fill::Extras { motion, ids, .. } => (&self.fill_layout, "fs_background_extras", extras_targets(motion, ids)),
+        };
+        let format = match fill {
+            Fill::Extras { depth, .. } => depth,
+            _ => wgpu::TextureFormat::Depth32FloatStencil8,
         };
         let stencil = match fill {
             Fill::Background if masked_draw => stencil(wgpu::CompareFunction::Greater, wgpu::StencilOperation::Keep),
-            Fill::Background => wgpu::StencilState::default(),
+            Fill::Background | Fill::Extras { .. } => wgpu::StencilState::default(),
             Fill::Stencil { .. } => stencil(wgpu::CompareFunction::Always, wgpu::StencilOperation::Replace),
         };
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -245,7 +249,7 @@ impl Pipelines {
             },
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: Some(wgpu::DepthStencilState {
-                format: wgpu::TextureFormat::Depth32FloatStencil8,
+                format,
                 depth_write_enabled: Some(false),
                 depth_compare: Some(wgpu::CompareFunction::Always),
                 stencil,
@@ -256,12 +260,16 @@ impl Pipelines {
                 module: &self.module,
                 entry_point: Some(fragment),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[target],
+                targets: &targets,
             }),
             multiview_mask: None,
             cache: None,
         })
     }
+}
+
+fn extras_targets(motion: bool, ids: bool) -> Vec<Option<wgpu::ColorTargetState>> {
+    vec![motion.then(|| wgpu::TextureFormat::Rg32Float.into()), ids.then(|| wgpu::TextureFormat::R32Uint.into())]
 }
 
 /// Adds what is drawn times `src_factor`.

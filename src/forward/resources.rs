@@ -103,7 +103,7 @@ impl Resources {
         }
         // Meshes of earlier frames that are gone now (ribbons that follow the camera) are dropped here.
         self.meshes = used;
-        self.uniforms = FrameUniforms::of(&self.light, &frame.view, size);
+        self.uniforms = FrameUniforms::of(&self.light, &frame.view, &frame.previous_view, size);
         let aspect = f64::from(size[0]) / f64::from(size[1]);
         let object = |i: &crate::scene::Instance| {
             Object::of(i, self.meshes[&Arc::as_ptr(&i.mesh)].centre, &frame.view, &frame.previous_view, aspect)

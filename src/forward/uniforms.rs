@@ -18,6 +18,7 @@ gpu_struct! {
         ambient: [f32; 4],
         background: [f32; 4],
         to_camera: [f32; 4],
+        previous_clip_from_clip: Matrix,
         size_px: [f32; 2],
         sum_of_weights: f32,
         padding: f32,
@@ -75,7 +76,8 @@ fn matrix(m: DMat4) -> Matrix {
 }
 
 impl FrameUniforms {
-    pub(super) fn of(scene: &SceneLight, view: &View, size: [u32; 2]) -> Self {
+    pub(super) fn of(scene: &SceneLight, view: &View, previous_view: &View, size: [u32; 2]) -> Self {
+        let aspect = f64::from(size[0]) / f64::from(size[1]);
         let parallel = matches!(view.projection, Projection::Orthographic { .. });
         Self {
             to_light: padded(scene.to_light, 0.0),
@@ -83,6 +85,7 @@ impl FrameUniforms {
             ambient: padded(scene.ambient, 0.0),
             background: padded(scene.background, 0.0),
             to_camera: padded(view.world_from_view.z_axis.as_vec3(), f32::from(u8::from(parallel))),
+            previous_clip_from_clip: matrix(view.previous_clip_from_clip(previous_view, aspect)),
             size_px: size.map(|s| s as f32),
             sum_of_weights: 1.0,
             padding: 0.0,

@@ -159,5 +159,6 @@ fn named(error: &wgpu::Error) -> Error {
         wgpu::Error::Validation { .. } => "validation",
         wgpu::Error::Internal { .. } => "internal",
     };
-    Error::Gpu { kind, message: error.to_string() }
+    let advice = if kind == "out of memory" { "; choose a smaller size or another adapter" } else { "" };
+    Error::Gpu { kind, message: format!("{error}{advice}") }
 }

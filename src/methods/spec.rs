@@ -30,6 +30,9 @@ impl Spec {
     /// [`Error::Request`] for what does not exist, is out of range, or cannot be combined.
     pub fn parse(text: &str) -> Result<Self> {
         let text = text.trim();
+        if text.contains('+') && text.split('+').any(|stage| stage.trim().is_empty()) {
+            return Err(Error::Request(format!("'{text}': a method is missing beside a '+'; write it as METHOD+METHOD")));
+        }
         let stages: Vec<Stage> = text.split('+').map(Stage::parse).collect::<Result<_>>()?;
         if let Some(late) = stages.iter().skip(1).find(|stage| stage.technique.needs().role == Role::Draws) {
             return Err(Error::Request(format!(
@@ -98,6 +101,9 @@ mod tests {
         assert!(refusal("ssaa:pattern=haltn").contains("'halton'"));
         assert!(refusal("none:spp=1").contains("no options"));
         assert!(refusal("msaa:samples=3").contains("2, 4, 8, 16"));
+        assert!(refusal("SSAA").contains("did you mean 'ssaa'"));
+        assert!(refusal("ssaa:spp=16:filter=box").contains("commas"));
+        assert!(refusal("msaa+").contains("missing"));
         assert!(refusal("none+ssaa").contains("only come first"));
         assert!(refusal("ssaa:filter=catmull-rom,spp=1,pattern=random,seed=3,radius=8").contains("sum"));
     }

@@ -59,8 +59,11 @@ impl Kind {
     }
 
     fn parse(&self, method: &str, option: &str, text: &str) -> Result<Value> {
-        let out_of_range =
-            || Error::Request(format!("{method}: {option}={text} is out of range; {option} takes {}", self.range()));
+        let out_of_range = || {
+            let hint = if text.contains(':') { "; options are separated by commas" } else { "" };
+            let kind = if matches!(self, Self::Integer { .. }) { "a whole number from " } else { "" };
+            Error::Request(format!("{method}: {option}={text} is out of range; {option} takes {kind}{}{hint}", self.range()))
+        };
         let number = |min: f64, max: f64| {
             text.parse().ok().filter(|x| (min..=max).contains(x)).map(Value::Number).ok_or_else(out_of_range)
         };
@@ -73,7 +76,7 @@ impl Kind {
             Self::Choice(names) => {
                 let names = names();
                 let name = names.iter().find(|name| **name == text);
-                name.map(|name| Value::Word(name)).ok_or_else(|| unknown(&format!("{method}: {option}"), text, &names))
+                name.map(|name| Value::Word(name)).ok_or_else(|| unknown(&format!("{option} of {method}"), text, &names))
             }
             Self::Switch => match text {
                 "on" => Ok(Value::Switch(true)),

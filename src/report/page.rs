@@ -133,7 +133,7 @@ pub(super) fn value_cell(metric: &str, value: crate::metrics::Figure) -> Markup 
 
 /// The mark of a method that no other beats, for eyes and for screen readers.
 pub(super) fn star(unbeaten: bool) -> Markup {
-    html! { @if unbeaten { span.star title="no other is both faster and nearer" { "★" span.hidden { " unbeaten: " } } " " } }
+    html! { @if unbeaten { span.star title="no other beats it in time and error" { "★" span.hidden { " unbeaten: " } } " " } }
 }
 
 fn again(results: &Results) -> Markup {

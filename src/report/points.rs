@@ -13,7 +13,7 @@ pub(super) struct Point {
     pub(super) time_ms: f64,
     /// Mean FLIP error, at least 0.
     pub(super) error: f64,
-    /// Whether no other is both faster and nearer.
+    /// Whether no other beats it in time and error.
     pub(super) unbeaten: bool,
 }
 

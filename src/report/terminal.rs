@@ -10,10 +10,10 @@ pub const TABLE_WIDTH: usize = 100;
 const HEADINGS: [&str; 13] =
     ["method", "draw", "passes", "total", "±", "spp", "MB", "PSNR", "linear", "SSIM", "FLIP", "p99", "max"];
 
-const LEGEND: &str = "★ no other method of the scene is both faster and nearer to the reference (mean FLIP). \
-    draw, passes, total: milliseconds, medians; ±: half the range of the total. spp: samples shaded a pixel. \
-    MB: bytes of all targets. PSNR, linear (PSNR of linear values): dB. FLIP: mean; p99: 99th percentile. \
-    max: largest error in 1/255.";
+const LEGEND: &str = "★ no other method of the scene beats it in time and error (mean FLIP). draw, passes, total: \
+    milliseconds, each a median of its own, so they need not add up; ±: half the range of the total. spp: samples shaded a \
+    pixel. MB: bytes of all targets. PSNR, linear (PSNR of linear values): dB. FLIP: mean; p99: 99th percentile. \
+    max: largest error in 1/255. Softness that the reference's filter does not have counts as error.";
 
 /// A block for each scene, a line for each method. No line is longer than [`TABLE_WIDTH`] characters; a method whose name does
 /// not fit stands on a line of its own, above its figures. With `color`, ANSI escapes mark what matters.

@@ -188,7 +188,7 @@ pub struct Timing {
     pub total_ms: Spread,
     /// `timestamps`, or `wall clock` of a submission of its own.
     pub clock: String,
-    /// Whether no other method of the scene is both faster and nearer to the reference (mean FLIP).
+    /// Whether no other method of the scene is at least as fast and as near to the reference (mean FLIP), and better in one.
     pub unbeaten: bool,
 }
 

@@ -318,6 +318,27 @@ fn views_show_what_lies_beside_the_colour() {
 }
 
 #[test]
+fn the_background_moves_as_the_camera_turns() {
+    let gpu = common::gpu();
+    // Turned by a keyframe a second: at 60 frames a second, a degree to the right between two frames.
+    let scene = scene_of(
+        "frames = 2\ntime_step = 1\nbackground = [1, 1, 1]\n[camera]\nprojection = \"perspective\"\nfov_y_deg = 90\nnear = 0.1\n\
+         keyframes = [{ time = 0, position = [0, 0, 0], target = [0, 0, -10] }, { time = 1, position = [5, 0, 0], target = [6, 0, -10] \
+         }]\n[[objects]]\nposition = [0, -1, -5]\nshape = { quad = { size = [0.1, 0.1] } }\n",
+    );
+    let none = Spec::parse("none").expect("exists");
+    let mut studio = Studio::new(&gpu, &scene).expect("uploads");
+    let motion = studio.view(&ViewKind::Motion, &none, 1, [100, 100], &mut ()).expect("draws").data;
+    // A direction straight ahead was 0.1 = tan of the turn to the right of the middle, of a half-width of 50 px at tan 1. The
+    // camera's own step does not move what is infinitely far.
+    let found = motion.pixel(50, 50);
+    let ahead = 0.01f64; // The pixel's centre lies 0.5 px right and below the middle.
+    let was = 50.0 * (ahead + 0.1) / (1.0 - ahead * 0.1);
+    assert!((f64::from(found[0]) - (was - 0.5)).abs() < 1e-3, "{found:?} for {}", was - 0.5);
+    assert!(f64::from(found[1]).abs() < 0.05, "{found:?}");
+}
+
+#[test]
 fn every_method_builds_and_records_without_a_gpu() {
     let gpu = Gpu::noop().expect("the no-op backend answers");
     let scene = Scene::load("edges").expect("shipped");

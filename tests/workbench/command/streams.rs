@@ -25,7 +25,7 @@ fn a_capture_says_in_a_line_what_it_wrote() {
     let desk = Desk::new();
     let ran = desk.run(CAPTURE);
     assert_eq!(ran.succeeded().stdout, "");
-    assert_eq!(ran.stderr, "out.png: edges with none, 32x18\n");
+    assert_eq!(ran.stderr, "out.png: colour of edges with none, frame 0, 32x18\n");
     let ran = desk.run(&format!("{CAPTURE} -v"));
     assert!(ran.succeeded().stderr.starts_with("adapter: "), "{ran}");
 }
