@@ -120,7 +120,15 @@ fn surface_color(in: SurfaceVertex, front: bool) -> vec4<f32> {
     } else if MASKED && base.a < material.alpha_cutoff {
         discard;
     }
-    return vec4<f32>(min(shaded(in, base, front), vec3<f32>(LARGEST_HALF)), coverage);
+    let color = shaded(in, base, front);
+    return vec4<f32>(select(edge_on_color(), min(color, vec3<f32>(LARGEST_HALF)), is_finite(color)), coverage);
+}
+
+// A triangle seen almost edge-on still covers a sample now and then, and what is interpolated over its vanishing area may be no
+// number. Such a sample gets the material's colour in half the light: near what its neighbours have, and never a firefly.
+fn edge_on_color() -> vec3<f32> {
+    let light = select(frame.ambient.rgb + 0.5 * frame.light_color.rgb, vec3<f32>(1.0), UNLIT);
+    return material.base_color.rgb * light + material.emissive.rgb;
 }
 
 @fragment

@@ -34,6 +34,7 @@ use resources::Resources;
 pub const SHADER: Source = Source {
     name: "forward",
     parts: &[
+        part!("common/color.wgsl"),
         part!("forward/scene.wgsl"),
         part!("forward/pattern.wgsl"),
         part!("forward/light.wgsl"),
