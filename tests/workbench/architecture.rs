@@ -84,3 +84,18 @@ fn imports_are_found() {
     let text = "use crate::error::Result;\nuse crate::{forward, gpu::Card};\n// crate::nothing\nlet x = crate::scene::Scene;\n#[cfg(test)]\nuse crate::cli;";
     assert_eq!(imports(text).into_iter().collect::<Vec<_>>(), ["error", "forward", "gpu", "scene"]);
 }
+
+#[test]
+fn the_readme_names_every_method_with_its_options_and_every_scene() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("README.md is there");
+    for method in dejag::methods::METHODS {
+        let row = readme.lines().find(|line| line.starts_with(&format!("| `{}` |", method.name)));
+        let row = row.unwrap_or_else(|| panic!("README.md has no row for {}", method.name));
+        for option in method.options {
+            assert!(row.contains(&format!("`{}`", option.name)), "README.md: {} without {}", method.name, option.name);
+        }
+    }
+    for scene in dejag::scene::SHIPPED {
+        assert!(readme.contains(&format!("`{}`", scene.name)), "README.md does not name {}", scene.name);
+    }
+}
