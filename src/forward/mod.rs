@@ -116,10 +116,4 @@ impl Forward {
         draw::record(self, recorder, request, targets, output);
         Ok(())
     }
-
-    /// Bytes of the scene's own buffers and textures.
-    #[must_use]
-    pub fn resource_bytes(&self) -> u64 {
-        self.resources.bytes()
-    }
 }

@@ -10,7 +10,7 @@ use super::mips::levels;
 use super::pipelines::{Kind, Pipelines};
 use super::uniforms::{FrameUniforms, JitterData, MaterialUniforms, Object, SceneLight};
 use crate::error::{Error, Result};
-use crate::gpu::{Gpu, bytes_of};
+use crate::gpu::Gpu;
 use crate::pass::Jitter;
 use crate::scene::{Frame, Material, Mesh, Scene, Texture, TextureRef, Wrap};
 
@@ -19,7 +19,6 @@ use crate::scene::{Frame, Material, Mesh, Scene, Texture, TextureRef, Wrap};
 pub(super) struct Resources {
     light: SceneLight,
     materials: Vec<(Material, wgpu::BindGroup)>,
-    texture_bytes: u64,
     /// By the mesh's address; the `Arc` keeps the address taken.
     meshes: HashMap<*const Mesh, MeshBuffers>,
     uniforms: FrameUniforms,
@@ -68,7 +67,6 @@ impl Resources {
         Ok(Self {
             light: SceneLight::of(scene),
             materials: scene.materials.iter().map(|m| (m.clone(), bind(m))).collect(),
-            texture_bytes: textures.iter().map(bytes_of).sum(),
             meshes: HashMap::new(),
             uniforms: bytemuck::Zeroable::zeroed(),
             frame_layout: pipelines.frame_layout.clone(),
@@ -175,11 +173,6 @@ impl Resources {
             self.frame_group = bind_frame(device, &self.frame_layout, [&self.uniform_buffer, &self.objects, &self.jitters]);
         }
         queue.write_buffer(buffer(self), 0, bytes);
-    }
-
-    pub(super) fn bytes(&self) -> u64 {
-        let meshes = self.meshes.values().map(|m| m.positions.size() + m.attributes.size() + m.indices.size()).sum::<u64>();
-        self.texture_bytes + meshes + self.objects.size() + self.jitters.size()
     }
 }
 
