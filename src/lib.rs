@@ -37,12 +37,12 @@
 //! # #[cfg(feature = "passes")]
 //! # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, output: &wgpu::TextureView, color: &wgpu::TextureView) -> dejag::Result<()> {
 //! use dejag::methods::Spec;
-//! use dejag::pass::{Context, FrameFacts, Inputs, Recorder};
+//! use dejag::pass::{Context, FrameFacts, Inputs, Recorder, Surface};
 //!
 //! let spec = Spec::parse("msaa:samples=4,resolve=mitchell,weight=luma")?;
-//! let format = wgpu::TextureFormat::Rgba16Float;
+//! let surface = Surface::linear(wgpu::TextureFormat::Rgba16Float);
 //! let size = [1280, 720];
-//! let mut pass = spec.stages[0].technique.build(&Context { device, queue, size, input_format: format, output_format: format })?;
+//! let mut pass = spec.stages[0].technique.build(&Context { device, queue, size, input: surface, output: surface })?;
 //!
 //! let mut encoder = device.create_command_encoder(&Default::default());
 //! let mut k = 0;
@@ -51,7 +51,7 @@
 //!     // into the sum or output that `draw.target` names.
 //!     let still = glam::Mat4::IDENTITY.to_cols_array_2d();
 //!     let frame = FrameFacts { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip: still };
-//!     let inputs = Inputs { color, color_decoded: None, samples: None, depth: None, motion: None, ids: None, frame };
+//!     let inputs = Inputs { color, samples: None, depth: None, motion: None, ids: None, frame };
 //!     pass.record(&mut Recorder::new(&mut encoder), k, &inputs, output);
 //!     k += 1;
 //! }

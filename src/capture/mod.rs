@@ -6,12 +6,14 @@
 
 pub mod analytic;
 mod cache;
+mod picture_filter;
 mod present;
 mod reference;
 mod shot;
 mod view;
 
 pub use cache::{Cache, CacheEntry};
+pub use picture_filter::PictureFilter;
 pub use present::Present;
 pub use reference::{Halves, REFERENCE_SPEC, Reference, reference_key};
 pub use shot::{Capture, Shot, Studio, Watch};

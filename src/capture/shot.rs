@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::forward::{Forward, Targets};
 use crate::gpu::{Gpu, TextureSpec, bytes_of};
 use crate::methods::Spec;
-use crate::pass::{Context, Draw, Encoding, Extras, FrameFacts, Inputs, Pass, Recorder, Role, Target, Technique, Timer};
+use crate::pass::{Context, Draw, Encoding, Extras, FrameFacts, Inputs, Pass, Recorder, Role, Surface, Target, Technique, Timer};
 use crate::picture::{DisplayPicture, LinearPicture};
 use crate::scene::{Frame, Scene};
 
@@ -85,7 +85,7 @@ impl<'a> Studio<'a> {
         let mut stages: Vec<Stage> = Vec::new();
         let mut extras = extras;
         for (name, technique) in techniques {
-            let before = stages.last().map_or(Targets::color_format(), |stage| stage.output.format());
+            let before = stages.last().map_or(Surface::linear(Targets::color_format()), Stage::surface);
             stages.push(Stage::new(self.gpu, self.scene, name, *technique, size, before)?);
             extras = extras.union(technique.needs().extras);
         }
@@ -240,7 +240,7 @@ impl Beside {
         frame: FrameFacts,
     ) -> Inputs<'a> {
         let (depth, motion, ids) = (self.depth.as_ref(), self.motion.as_ref(), self.ids.as_ref());
-        Inputs { color, color_decoded: None, samples, depth, motion, ids, frame }
+        Inputs { color, samples, depth, motion, ids, frame }
     }
 }
 
@@ -289,15 +289,8 @@ struct Stage {
 }
 
 impl Stage {
-    /// `before` is the format of the picture that comes in.
-    fn new(
-        gpu: &Gpu,
-        scene: &Scene,
-        name: &str,
-        technique: &dyn Technique,
-        size: [u32; 2],
-        before: wgpu::TextureFormat,
-    ) -> Result<Self> {
+    /// `before` is the picture that comes in.
+    fn new(gpu: &Gpu, scene: &Scene, name: &str, technique: &dyn Technique, size: [u32; 2], before: Surface) -> Result<Self> {
         let needs = technique.needs();
         needs.check(name, gpu.device.features(), &gpu.sample_counts())?;
         let target = |label, format| gpu.target(TextureSpec { label, size, format, samples: 1 });
@@ -309,12 +302,22 @@ impl Stage {
                 (Encoding::Linear, true) => wgpu::TextureFormat::Rgba32Float,
             },
         );
-        let present = (needs.role == Role::Filters(Encoding::Display)).then(|| {
+        if (needs.role, before.values) == (Role::Filters(Encoding::Linear), Encoding::Display) {
+            return Err(Error::Request(format!(
+                "{name} filters linear light; put it before the method that makes display values"
+            )));
+        }
+        let tone_maps = (needs.role, before.values) == (Role::Filters(Encoding::Display), Encoding::Linear);
+        let present = tone_maps.then(|| {
             let shown = target("shown", wgpu::TextureFormat::Rgba8Unorm);
             (Present::new(gpu, scene, shown.format()), shown)
         });
-        let input_format = present.as_ref().map_or(before, |(_, shown)| shown.format());
-        let context = Context { device: &gpu.device, queue: &gpu.queue, size, input_format, output_format: output.format() };
+        let input = match &present {
+            Some((_, shown)) => Surface::display(shown.format()),
+            None => before,
+        };
+        let surface = Surface { format: output.format(), values: needs.output };
+        let context = Context { device: &gpu.device, queue: &gpu.queue, size, input, output: surface };
         Ok(Self {
             pass: technique.build(&context)?,
             role: needs.role,
@@ -325,6 +328,11 @@ impl Stage {
         })
     }
 
+    /// What it hands to the next stage.
+    fn surface(&self) -> Surface {
+        Surface { format: self.output.format(), values: self.encoding }
+    }
+
     fn record(&mut self, recorder: &mut Recorder<'_>, k: u32, inputs: &Inputs<'_>) {
         let output = view_of(&self.output);
         match &mut self.present {
@@ -332,12 +340,7 @@ impl Stage {
             Some((present, shown)) => {
                 let shown = view_of(shown);
                 present.record(recorder, inputs.color, &shown);
-                let decoded = shown.texture().create_view(&wgpu::TextureViewDescriptor {
-                    format: Some(wgpu::TextureFormat::Rgba8UnormSrgb),
-                    usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
-                    ..Default::default()
-                });
-                let inputs = Inputs { color: &shown, color_decoded: Some(&decoded), ..*inputs };
+                let inputs = Inputs { color: &shown, ..*inputs };
                 self.pass.record(recorder, k, &inputs, &output);
             }
         }

@@ -21,7 +21,7 @@ impl Gpu {
     pub fn target(&self, spec: TextureSpec) -> wgpu::Texture {
         let mut usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
         if spec.samples == 1 {
-            usage |= wgpu::TextureUsages::COPY_SRC;
+            usage |= wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::COPY_DST;
         }
         let [width, height] = spec.size;
         self.device.create_texture(&wgpu::TextureDescriptor {
@@ -32,12 +32,7 @@ impl Gpu {
             dimension: wgpu::TextureDimension::D2,
             format: spec.format,
             usage,
-            // Display values can also be read in linear light, through the format's own decoding.
-            view_formats: if spec.format == wgpu::TextureFormat::Rgba8Unorm {
-                &[wgpu::TextureFormat::Rgba8UnormSrgb]
-            } else {
-                &[]
-            },
+            view_formats: &[],
         })
     }
 }

@@ -178,7 +178,7 @@ impl Technique for Msaa {
                 bytemuck::bytes_of(&ResolveUniforms { exposure: 1.0 }),
                 wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             ),
-            resolve: ScreenPass::new(context.device, "msaa resolve", &SHADER, "fs_resolve", &constants, context.output_format),
+            resolve: ScreenPass::new(context.device, "msaa resolve", &SHADER, "fs_resolve", &constants, context.output.format),
         }))
     }
 }

@@ -116,7 +116,7 @@ impl Technique for Ssaa {
             jitters: Arc::clone(&self.jitters),
             jitters_a_draw: jitters_a_draw(context.size),
             halves: ["ssaa half-a", "ssaa half-b"].map(|label| accumulator(context, label)),
-            normalize: ScreenPass::new(context.device, "ssaa normalize", &SHADER, "fs_normalize", &[], context.output_format),
+            normalize: ScreenPass::new(context.device, "ssaa normalize", &SHADER, "fs_normalize", &[], context.output.format),
         }))
     }
 }

@@ -131,10 +131,33 @@ pub struct Context<'a> {
     pub queue: &'a wgpu::Queue,
     /// Width and height in pixels, at least 1.
     pub size: [u32; 2],
-    /// Format of the pictures that a draw makes or that come in.
-    pub input_format: wgpu::TextureFormat,
-    /// Format of the output.
-    pub output_format: wgpu::TextureFormat,
+    /// The pictures that a draw makes or that come in.
+    pub input: Surface,
+    /// What is written.
+    pub output: Surface,
+}
+
+/// The format of a picture on the device, and what a shader that loads from it or writes to it deals in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Surface {
+    /// Of the view, not of the texture below it.
+    pub format: wgpu::TextureFormat,
+    /// What its loads give and its stores take.
+    pub values: Encoding,
+}
+
+impl Surface {
+    /// A picture of display values. Through an `-srgb` format the shader sees them decoded, in linear light.
+    #[must_use]
+    pub fn display(format: wgpu::TextureFormat) -> Self {
+        Self { format, values: if format.is_srgb() { Encoding::Linear } else { Encoding::Display } }
+    }
+
+    /// A picture in linear light.
+    #[must_use]
+    pub const fn linear(format: wgpu::TextureFormat) -> Self {
+        Self { format, values: Encoding::Linear }
+    }
 }
 
 /// A built method: pipelines and private targets for one device and size.
@@ -164,8 +187,6 @@ pub struct Inputs<'a> {
     /// What was drawn, or the picture to filter in the encoding that was asked for. Multisampled if samples were asked for. After a
     /// draw with [`Target::Sum`] or [`Target::Output`] there is nothing in it.
     pub color: &'a wgpu::TextureView,
-    /// For display input: the same texture seen through the sRGB decoding, in linear light.
-    pub color_decoded: Option<&'a wgpu::TextureView>,
     /// For a filter after a multisampled draw: its unresolved samples, in linear light.
     pub samples: Option<&'a wgpu::TextureView>,
     /// Reversed depth, if asked for.
@@ -193,6 +214,13 @@ pub struct FrameFacts {
 }
 
 impl Extras {
+    /// What is asked for, in words.
+    #[must_use]
+    pub fn names(self) -> Vec<&'static str> {
+        let all = [(self.depth, "depth"), (self.motion, "motion"), (self.ids, "ids")];
+        all.into_iter().filter(|(asked, _)| *asked).map(|(_, name)| name).collect()
+    }
+
     /// What either asks for.
     #[must_use]
     pub fn union(self, other: Self) -> Self {

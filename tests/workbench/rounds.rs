@@ -83,12 +83,12 @@ impl Technique for TwoRounds {
             second: *self,
             device: context.device.clone(),
             mask: texture(Format::R8Uint),
-            first: texture(context.input_format),
+            first: texture(context.input.format),
             sum: texture(Format::Rgba32Float),
             fill_mask: pipeline(context.device, "fs_mask", Format::R8Uint),
-            copy: pipeline(context.device, "fs_copy", context.input_format),
-            show: pipeline(context.device, "fs_copy", context.output_format),
-            merge: pipeline(context.device, "fs_merge", context.output_format),
+            copy: pipeline(context.device, "fs_copy", context.input.format),
+            show: pipeline(context.device, "fs_copy", context.output.format),
+            merge: pipeline(context.device, "fs_merge", context.output.format),
         }))
     }
 }
@@ -297,7 +297,7 @@ impl Technique for Echo {
     }
 
     fn build(&self, context: &Context<'_>) -> dejag::Result<Box<dyn Pass>> {
-        let pass = pipeline(context.device, "fs_copy", context.output_format);
+        let pass = pipeline(context.device, "fs_copy", context.output.format);
         Ok(Box::new(EchoPass { echo: *self, device: context.device.clone(), pass }))
     }
 }
@@ -316,7 +316,6 @@ impl Pass for EchoPass {
         assert_eq!(inputs.ids.is_some(), self.echo.extras.ids);
         assert_eq!(inputs.samples.map(|view| view.texture().sample_count()), self.echo.expects_samples.then_some(4));
         let display = self.echo.takes == Encoding::Display;
-        assert_eq!(inputs.color_decoded.is_some(), display);
         assert_eq!(inputs.color.texture().format() == Format::Rgba8Unorm, display);
         let layout = self.pass.get_bind_group_layout(0);
         let entries = [wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(inputs.color) }];

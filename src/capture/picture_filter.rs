@@ -1,0 +1,125 @@
+//! Filters on pictures that nobody draws: a file, a game's frame, a test pattern.
+
+use crate::error::{Error, Result};
+use crate::gpu::{Gpu, TextureSpec, bytes_of};
+use crate::methods::Spec;
+use crate::pass::{Context, Encoding, Extras, FrameFacts, Inputs, Pass, Recorder, Role, Surface, Timer};
+use crate::picture::Pixel;
+
+/// One or several filters, built for pictures of one size and surface. Used again and again, it allocates nothing on the device.
+#[derive(Debug)]
+pub struct PictureFilter<'g> {
+    gpu: &'g Gpu,
+    input: wgpu::TextureView,
+    stages: Vec<Stage>,
+}
+
+#[derive(Debug)]
+struct Stage {
+    pass: Box<dyn Pass>,
+    output: wgpu::TextureView,
+}
+
+impl<'g> PictureFilter<'g> {
+    /// The formats of [`Gpu::upload`]. What comes out is a surface like the one that goes in.
+    ///
+    /// # Errors
+    /// [`Error::Request`] for a method that draws the scene itself or reads what lies beside its colour; [`Error::Unsupported`]
+    /// where the adapter lacks something.
+    pub fn new(gpu: &'g Gpu, spec: &Spec, size: [u32; 2], surface: Surface) -> Result<Self> {
+        gpu.check_size(size)?;
+        let target = |label| {
+            let texture = gpu.target(TextureSpec { label, size, format: surface.format, samples: 1 });
+            texture.create_view(&wgpu::TextureViewDescriptor::default())
+        };
+        let mut stages = Vec::new();
+        for stage in &spec.stages {
+            let (name, needs) = (stage.method.name, stage.technique.needs());
+            if needs.role == Role::Draws {
+                return Err(Error::Request(format!("{name} draws the scene itself; a picture can only be given to a filter")));
+            }
+            if needs.extras != Extras::default() {
+                return Err(Error::Request(format!(
+                    "{spec} reads a scene's {}, which a picture does not have; choose options that need the colour alone, or \
+                     capture a scene with it",
+                    needs.extras.names().join(" and ")
+                )));
+            }
+            if needs.role == Role::Filters(Encoding::Linear) && surface.values == Encoding::Display {
+                return Err(Error::Request(format!("{name} filters linear light, this picture holds display values")));
+            }
+            needs.check(name, gpu.device.features(), &gpu.sample_counts())?;
+            let context = Context { device: &gpu.device, queue: &gpu.queue, size, input: surface, output: surface };
+            stages.push(Stage { pass: stage.technique.build(&context)?, output: target("filtered") });
+        }
+        gpu.check()?;
+        Ok(Self { gpu, input: target("picture"), stages })
+    }
+
+    /// Filters a picture: pixels in reading order, as the surface's format can hold them.
+    ///
+    /// # Errors
+    /// [`Error::Gpu`].
+    pub fn apply(&mut self, pixels: &[Pixel]) -> Result<Vec<Pixel>> {
+        self.upload(pixels)?;
+        self.run(None)?;
+        self.read()
+    }
+
+    /// Takes a picture in without filtering it yet.
+    ///
+    /// # Errors
+    /// [`Error::Gpu`].
+    pub fn upload(&self, pixels: &[Pixel]) -> Result<()> {
+        self.gpu.upload(self.input.texture(), pixels)
+    }
+
+    /// Filters what was uploaded and waits until it is done.
+    ///
+    /// # Errors
+    /// [`Error::Gpu`].
+    pub fn run(&mut self, timer: Option<&mut dyn Timer>) -> Result<()> {
+        let mut encoder = self.gpu.encoder();
+        let mut recorder = match timer {
+            Some(timer) => Recorder::timed(&mut encoder, timer),
+            None => Recorder::new(&mut encoder),
+        };
+        let still = glam::Mat4::IDENTITY.to_cols_array_2d();
+        let frame = FrameFacts { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip: still };
+        let mut color = &self.input;
+        for stage in &mut self.stages {
+            let inputs = Inputs { color, samples: None, depth: None, motion: None, ids: None, frame };
+            stage.pass.record(&mut recorder, 0, &inputs, &stage.output);
+            color = &stage.output;
+        }
+        self.gpu.submit(encoder)?;
+        self.gpu.wait()
+    }
+
+    /// What came out of the last run.
+    ///
+    /// # Errors
+    /// [`Error::Gpu`].
+    pub fn read(&self) -> Result<Vec<Pixel>> {
+        Ok(self.gpu.read_linear(self.output())?.into_pixels())
+    }
+
+    /// Where the last stage leaves its picture.
+    #[must_use]
+    pub fn output(&self) -> &wgpu::Texture {
+        self.stages.last().map_or(&self.input, |stage| &stage.output).texture()
+    }
+
+    /// The methods' intermediates by name; in a combination, the last stage's first.
+    #[must_use]
+    pub fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
+        self.stages.iter().rev().flat_map(|stage| stage.pass.views()).collect()
+    }
+
+    /// Bytes on the device, the picture that goes in included.
+    #[must_use]
+    pub fn target_bytes(&self) -> u64 {
+        let staged = self.stages.iter().map(|stage| stage.pass.target_bytes() + bytes_of(stage.output.texture()));
+        bytes_of(self.input.texture()) + staged.sum::<u64>()
+    }
+}
