@@ -42,7 +42,7 @@
 //! let spec = Spec::parse("msaa:samples=4,resolve=mitchell,weight=luma")?;
 //! let surface = Surface::linear(wgpu::TextureFormat::Rgba16Float);
 //! let size = [1280, 720];
-//! let mut pass = spec.stages[0].technique.build(&Context { device, queue, size, input: surface, output: surface })?;
+//! let mut pass = spec.stages[0].technique.build(&Context { device, queue, size, input: surface, input_samples: 1, output: surface })?;
 //!
 //! let mut encoder = device.create_command_encoder(&Default::default());
 //! let mut k = 0;

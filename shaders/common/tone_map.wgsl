@@ -1,4 +1,4 @@
-// Exposed linear colour to [0, 1], then the sRGB coding. The one place where a picture leaves linear light.
+// Exposed linear colour to [0, 1].
 
 fn reinhard(x: vec3<f32>) -> vec3<f32> {
     return x / (1.0 + x);
@@ -40,11 +40,4 @@ fn tone_mapped(exposed: vec3<f32>, tone_map: u32) -> vec3<f32> {
         case 3u: { return clamp(agx(x), vec3<f32>(0.0), vec3<f32>(1.0)); }
         default: { return min(x, vec3<f32>(1.0)); }
     }
-}
-
-// IEC 61966-2-1.
-fn srgb_coded(linear: vec3<f32>) -> vec3<f32> {
-    let low = 12.92 * linear;
-    let high = 1.055 * pow(max(linear, vec3<f32>(0.0031308)), vec3<f32>(1.0 / 2.4)) - 0.055;
-    return select(high, low, linear <= vec3<f32>(0.0031308));
 }

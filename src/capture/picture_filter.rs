@@ -2,9 +2,11 @@
 
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, TextureSpec, bytes_of};
-use crate::methods::Spec;
+use crate::methods::{METHODS, Spec};
 use crate::pass::{Context, Encoding, Extras, FrameFacts, Inputs, Pass, Recorder, Role, Surface, Timer};
 use crate::picture::Pixel;
+
+use super::view::{View, named};
 
 /// One or several filters, built for pictures of one size and surface. Used again and again, it allocates nothing on the device.
 #[derive(Debug)]
@@ -27,6 +29,7 @@ impl<'g> PictureFilter<'g> {
     /// [`Error::Request`] for a method that draws the scene itself or reads what lies beside its colour; [`Error::Unsupported`]
     /// where the adapter lacks something.
     pub fn new(gpu: &'g Gpu, spec: &Spec, size: [u32; 2], surface: Surface) -> Result<Self> {
+        Self::check(spec)?;
         gpu.check_size(size)?;
         let target = |label| {
             let texture = gpu.target(TextureSpec { label, size, format: surface.format, samples: 1 });
@@ -35,8 +38,30 @@ impl<'g> PictureFilter<'g> {
         let mut stages = Vec::new();
         for stage in &spec.stages {
             let (name, needs) = (stage.method.name, stage.technique.needs());
+            if needs.role == Role::Filters(Encoding::Linear) && surface.values == Encoding::Display {
+                return Err(Error::Request(format!("{name} filters linear light, this picture holds display values")));
+            }
+            needs.check(name, gpu.device.features(), &gpu.sample_counts())?;
+            let context =
+                Context { device: &gpu.device, queue: &gpu.queue, size, input: surface, input_samples: 1, output: surface };
+            stages.push(Stage { pass: stage.technique.build(&context)?, output: target("filtered") });
+        }
+        gpu.check()?;
+        Ok(Self { gpu, input: target("picture"), stages })
+    }
+
+    /// Whether a picture is all that these methods need: asked without a device.
+    ///
+    /// # Errors
+    /// [`Error::Request`] for a method that draws the scene itself, with those that do not, or reads what lies beside its colour.
+    pub fn check(spec: &Spec) -> Result<()> {
+        for stage in &spec.stages {
+            let (name, needs) = (stage.method.name, stage.technique.needs());
             if needs.role == Role::Draws {
-                return Err(Error::Request(format!("{name} draws the scene itself; a picture can only be given to a filter")));
+                return Err(Error::Request(format!(
+                    "{name} draws the scene itself; a picture can only be given to a filter ({})",
+                    filters().join(", ")
+                )));
             }
             if needs.extras != Extras::default() {
                 return Err(Error::Request(format!(
@@ -45,15 +70,8 @@ impl<'g> PictureFilter<'g> {
                     needs.extras.names().join(" and ")
                 )));
             }
-            if needs.role == Role::Filters(Encoding::Linear) && surface.values == Encoding::Display {
-                return Err(Error::Request(format!("{name} filters linear light, this picture holds display values")));
-            }
-            needs.check(name, gpu.device.features(), &gpu.sample_counts())?;
-            let context = Context { device: &gpu.device, queue: &gpu.queue, size, input: surface, output: surface };
-            stages.push(Stage { pass: stage.technique.build(&context)?, output: target("filtered") });
         }
-        gpu.check()?;
-        Ok(Self { gpu, input: target("picture"), stages })
+        Ok(())
     }
 
     /// Filters a picture: pixels in reading order, as the surface's format can hold them.
@@ -110,6 +128,23 @@ impl<'g> PictureFilter<'g> {
         self.stages.last().map_or(&self.input, |stage| &stage.output).texture()
     }
 
+    /// Whether there is a view of this name, before any run.
+    ///
+    /// # Errors
+    /// [`Error::Request`] with those there are.
+    pub fn check_view(&self, spec: &Spec, name: &str) -> Result<()> {
+        named(spec, name, self.views(), &[]).map(drop)
+    }
+
+    /// An intermediate of the last run.
+    ///
+    /// # Errors
+    /// [`Error::Request`] for a name that there is not, with those there are; [`Error::Gpu`].
+    pub fn view(&self, spec: &Spec, name: &str) -> Result<View> {
+        let view = named(spec, name, self.views(), &[])?;
+        Ok(View::of_numbers(self.gpu.read_linear(view.texture())?))
+    }
+
     /// The methods' intermediates by name; in a combination, the last stage's first.
     #[must_use]
     pub fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
@@ -122,4 +157,10 @@ impl<'g> PictureFilter<'g> {
         let staged = self.stages.iter().map(|stage| stage.pass.target_bytes() + bytes_of(stage.output.texture()));
         bytes_of(self.input.texture()) + staged.sum::<u64>()
     }
+}
+
+/// Methods that take a finished picture, as they are without options.
+fn filters() -> Vec<&'static str> {
+    let takes_pictures = |name| Spec::parse(name).is_ok_and(|spec| spec.first_needs().role != Role::Draws);
+    METHODS.iter().map(|method| method.name).filter(|name| takes_pictures(name)).collect()
 }

@@ -24,7 +24,6 @@ gpu_struct! {
 /// A scene's exposure and tone map as a pass.
 #[derive(Debug)]
 pub struct Present {
-    device: wgpu::Device,
     uniforms: wgpu::Buffer,
     pass: ScreenPass,
 }
@@ -33,7 +32,13 @@ impl Present {
     /// The tone map's module.
     pub const SHADER: Source = Source {
         name: "present",
-        parts: &[part!("common/screen.wgsl"), part!("common/color.wgsl"), part!("common/tone_map.wgsl"), part!("present.wgsl")],
+        parts: &[
+            part!("common/screen.wgsl"),
+            part!("common/color.wgsl"),
+            part!("common/srgb.wgsl"),
+            part!("common/tone_map.wgsl"),
+            part!("present.wgsl"),
+        ],
     };
 
     /// What the module shares with Rust.
@@ -53,17 +58,13 @@ impl Present {
             contents: bytemuck::bytes_of(&PresentUniforms { exposure: scene.exposure, tone_map }),
             usage: wgpu::BufferUsages::UNIFORM,
         });
-        Self {
-            device: gpu.device.clone(),
-            uniforms,
-            pass: ScreenPass::new(&gpu.device, "present", &Self::SHADER, "fs_present", &[], target),
-        }
+        Self { uniforms, pass: ScreenPass::new(&gpu.device, "present", &Self::SHADER, "fs_present", &[], target) }
     }
 
     /// Records the pass.
     pub fn record(&mut self, recorder: &mut Recorder<'_>, linear: &wgpu::TextureView, output: &wgpu::TextureView) {
-        let bindings = vec![Binding::Texture(linear.clone()), Binding::Buffer(self.uniforms.clone())];
-        self.pass.record(&self.device, recorder, bindings, output);
+        let bindings = [Binding::Texture(linear.clone()), Binding::Buffer(self.uniforms.clone())];
+        self.pass.record(recorder, &bindings.each_ref(), output);
     }
 
     /// A linear picture as the display shows it, not yet rounded to 8 bits.

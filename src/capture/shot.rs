@@ -84,9 +84,10 @@ impl<'a> Studio<'a> {
         }
         let mut stages: Vec<Stage> = Vec::new();
         let mut extras = extras;
+        let drawn_samples = techniques.first().map_or(1, |(_, technique)| technique.needs().samples);
         for (name, technique) in techniques {
             let before = stages.last().map_or(Surface::linear(Targets::color_format()), Stage::surface);
-            stages.push(Stage::new(self.gpu, self.scene, name, *technique, size, before)?);
+            stages.push(Stage::new(self.gpu, self.scene, (name, *technique), size, (before, drawn_samples))?);
             extras = extras.union(technique.needs().extras);
         }
         let shot = Shot { frame, reset: true, size, extras, stages, targets: Vec::new() };
@@ -289,8 +290,14 @@ struct Stage {
 }
 
 impl Stage {
-    /// `before` is the picture that comes in.
-    fn new(gpu: &Gpu, scene: &Scene, name: &str, technique: &dyn Technique, size: [u32; 2], before: Surface) -> Result<Self> {
+    /// `before` is the picture that comes in, resolved from so many samples.
+    fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        (name, technique): (&str, &dyn Technique),
+        size: [u32; 2],
+        (before, input_samples): (Surface, u32),
+    ) -> Result<Self> {
         let needs = technique.needs();
         needs.check(name, gpu.device.features(), &gpu.sample_counts())?;
         let target = |label, format| gpu.target(TextureSpec { label, size, format, samples: 1 });
@@ -317,7 +324,7 @@ impl Stage {
             None => before,
         };
         let surface = Surface { format: output.format(), values: needs.output };
-        let context = Context { device: &gpu.device, queue: &gpu.queue, size, input, output: surface };
+        let context = Context { device: &gpu.device, queue: &gpu.queue, size, input, input_samples, output: surface };
         Ok(Self {
             pass: technique.build(&context)?,
             role: needs.role,

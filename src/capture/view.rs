@@ -101,17 +101,35 @@ impl Studio<'_> {
 
     fn intermediate(&mut self, name: &str, spec: &Spec, frame: u32, size: [u32; 2], watch: &mut dyn Watch) -> Result<View> {
         let mut shot = self.shot(spec, frame, size)?;
-        let views = shot.views();
-        let Some((_, view)) = views.iter().find(|(known, _)| *known == name) else {
-            let names: Vec<_> = ["colour", "depth", "motion", "ids"].into_iter().chain(views.iter().map(|(n, _)| *n)).collect();
-            return Err(unknown(&format!("view of {spec}"), name, &names));
-        };
+        let view = named(spec, name, shot.views(), &["colour", "depth", "motion", "ids"])?;
         self.take(&mut shot, None, watch)?;
-        let texture = view.texture();
-        let data = normalized(self.gpu.read_linear(texture)?)?;
-        let display = data.to_display();
-        Ok(View { data, display })
+        let data = self.gpu.read_linear(view.texture())?;
+        // Sums are 32 bit floats; a filter's weights, whose alpha is no weight of a sum, have no need of them.
+        let sum = view.texture().format() == wgpu::TextureFormat::Rgba32Float;
+        Ok(View::of_numbers(if sum { normalized(data)? } else { data }))
     }
+}
+
+impl View {
+    /// Numbers as they are.
+    pub(super) fn of_numbers(data: LinearPicture) -> Self {
+        Self { display: data.to_display(), data }
+    }
+}
+
+/// The view of this name, or an error that lists those there are: `others` and the method's.
+pub(super) fn named(
+    spec: &Spec,
+    name: &str,
+    views: Vec<(&'static str, wgpu::TextureView)>,
+    others: &[&str],
+) -> Result<wgpu::TextureView> {
+    let names: Vec<&str> = others.iter().copied().chain(views.iter().map(|(known, _)| *known)).collect();
+    if names.is_empty() {
+        return Err(Error::Request(format!("{spec} has no views")));
+    }
+    let unknown = unknown(&format!("view of {spec}"), name, &names);
+    views.into_iter().find(|(known, _)| *known == name).map(|(_, view)| view).ok_or(unknown)
 }
 
 /// Sums carry their weight in alpha: shows the mean they stand for.

@@ -4,6 +4,7 @@ mod cache;
 mod capture;
 mod completions;
 mod doctor;
+mod filter;
 mod list;
 mod output;
 mod quiet_loader;
@@ -29,6 +30,7 @@ const EXAMPLES: &str = "\
 Examples:
   dejag capture courtyard -m msaa:samples=4 -o courtyard.png
   dejag capture model.glb -m ssaa:spp=64 --size 1280x720 -o model.exr
+  dejag filter shots -m smaa -o smooth-shots
   dejag score edges fence -m none -m msaa -m ssaa:spp=16 --report report
   dejag list methods
   dejag doctor
@@ -39,6 +41,7 @@ compared; 130 interrupted.";
 #[derive(Debug, Subcommand)]
 enum Verb {
     Capture(capture::Capture),
+    Filter(filter::Filter),
     Score(score::Score),
     List(list::List),
     Doctor(doctor::Doctor),
@@ -57,7 +60,7 @@ struct Drawing {
     /// No progress and no words, only results and errors
     #[arg(short, long)]
     quiet: bool,
-    /// Say more: the adapter, and where references are kept
+    /// Say more: the adapter, where references are kept, each file
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
 }
@@ -80,6 +83,7 @@ pub fn main() -> ExitCode {
     watch::listen_for_interrupts();
     let outcome = match &cli.verb {
         Verb::Capture(verb) => verb.run(),
+        Verb::Filter(verb) => verb.run(),
         Verb::Score(verb) => verb.run(),
         Verb::List(verb) => verb.run(),
         Verb::Doctor(verb) => verb.run(),

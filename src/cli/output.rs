@@ -25,6 +25,11 @@ pub(super) fn check_folder_of(path: &Path) -> Result<()> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
+    check_writable(folder)
+}
+
+/// The folder must exist and take a file.
+pub(super) fn check_writable(folder: &Path) -> Result<()> {
     tempfile::tempfile_in(folder).map(drop).map_err(Error::io("write into", folder))
 }
 

@@ -9,7 +9,9 @@ use clap::Args;
 
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
-use crate::bench::{DEMO_METHODS, DEMO_SCENES, Progress, REPEATS, ReferenceChoice, Request, SceneOutcome, score_scene};
+use crate::bench::{
+    DEMO_METHODS, DEMO_SCENES, Progress, REPEATS, ReferenceChoice, Request, SceneOutcome, edge_errors, score_scene,
+};
 use crate::capture::{Cache, REFERENCE_SPEC, analytic};
 use crate::error::Error;
 use crate::gpu::Gpu;
@@ -158,6 +160,7 @@ impl Score {
             command: self.command(request),
             size: request.size,
             scenes: Vec::new(),
+            edges: None,
         };
         let mut warn = !self.drawing.quiet;
         for scene in scenes {
@@ -174,6 +177,8 @@ impl Score {
             }
             results.scenes.push(outcome.result);
         }
+        bar.say("straight edges".into());
+        results.edges = edge_errors(gpu, &request.methods, &mut bar)?;
         bar.finish();
         Ok(results)
     }

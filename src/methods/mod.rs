@@ -1,7 +1,12 @@
 //! The anti-aliasing methods, one file or folder each. A new one is its file, its shaders and a line in [`METHODS`].
 
+mod cmaa2;
+mod fxaa;
+mod mlaa;
+mod morphology;
 mod msaa;
 mod none;
+mod smaa;
 mod spec;
 mod ssaa;
 
@@ -10,4 +15,5 @@ pub use spec::{Spec, Stage};
 use crate::pass::Method;
 
 /// Every method there is, in the order they are listed.
-pub const METHODS: &[Method] = &[none::METHOD, ssaa::METHOD, msaa::METHOD];
+pub const METHODS: &[Method] =
+    &[none::METHOD, ssaa::METHOD, msaa::METHOD, fxaa::METHOD, mlaa::METHOD, smaa::METHOD, cmaa2::METHOD];

@@ -170,7 +170,6 @@ impl Technique for Msaa {
         let constants = [("WEIGHTING", self.weighting as f64)];
         Ok(Box::new(FilteredResolve {
             draw,
-            device: context.device.clone(),
             queue: context.queue.clone(),
             taps: buffer("msaa taps", bytemuck::cast_slice(footprint), wgpu::BufferUsages::STORAGE),
             uniforms: buffer(
@@ -214,7 +213,6 @@ impl Pass for HardwareResolve {
 #[derive(Debug)]
 struct FilteredResolve {
     draw: Draw,
-    device: wgpu::Device,
     queue: wgpu::Queue,
     taps: wgpu::Buffer,
     uniforms: wgpu::Buffer,
@@ -229,12 +227,9 @@ impl Pass for FilteredResolve {
     fn record(&mut self, recorder: &mut Recorder<'_>, _: u32, inputs: &Inputs<'_>, output: &wgpu::TextureView) {
         let uniforms = ResolveUniforms { exposure: inputs.frame.exposure };
         self.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
-        let bindings = vec![
-            Binding::Texture(inputs.color.clone()),
-            Binding::Buffer(self.taps.clone()),
-            Binding::Buffer(self.uniforms.clone()),
-        ];
-        self.resolve.record(&self.device, recorder, bindings, output);
+        let bindings =
+            [Binding::Texture(inputs.color.clone()), Binding::Buffer(self.taps.clone()), Binding::Buffer(self.uniforms.clone())];
+        self.resolve.record(recorder, &bindings.each_ref(), output);
     }
 }
 

@@ -112,7 +112,6 @@ impl Technique for Ssaa {
 
     fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
         Ok(Box::new(Accumulation {
-            device: context.device.clone(),
             jitters: Arc::clone(&self.jitters),
             jitters_a_draw: jitters_a_draw(context.size),
             halves: ["ssaa half-a", "ssaa half-b"].map(|label| accumulator(context, label)),
@@ -121,9 +120,9 @@ impl Technique for Ssaa {
     }
 }
 
-fn accumulator(context: &Context<'_>, label: &str) -> wgpu::Texture {
+fn accumulator(context: &Context<'_>, label: &str) -> wgpu::TextureView {
     let [width, height] = context.size;
-    context.device.create_texture(&wgpu::TextureDescriptor {
+    let texture = context.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
@@ -132,15 +131,15 @@ fn accumulator(context: &Context<'_>, label: &str) -> wgpu::Texture {
         format: wgpu::TextureFormat::Rgba32Float,
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
         view_formats: &[],
-    })
+    });
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
 #[derive(Debug)]
 struct Accumulation {
-    device: wgpu::Device,
     jitters: Arc<[Jitter]>,
     jitters_a_draw: usize,
-    halves: [wgpu::Texture; 2],
+    halves: [wgpu::TextureView; 2],
     normalize: ScreenPass,
 }
 
@@ -153,16 +152,12 @@ impl Accumulation {
         let chunk = jitters.chunks(self.jitters_a_draw).nth(k)?;
         Some((half, k == 0, chunk))
     }
-
-    fn views(&self) -> [wgpu::TextureView; 2] {
-        [0, 1].map(|half: usize| self.halves[half].create_view(&wgpu::TextureViewDescriptor::default()))
-    }
 }
 
 impl Pass for Accumulation {
     fn next_draw(&mut self, k: u32) -> Option<Draw> {
         let (half, clear, jitters) = self.request(k)?;
-        let sum = Sum { view: self.views()[half].clone(), clear };
+        let sum = Sum { view: self.halves[half].clone(), clear };
         Some(Draw { jitters: jitters.to_vec(), target: Target::Sum(sum), ..Draw::default() })
     }
 
@@ -171,15 +166,15 @@ impl Pass for Accumulation {
             return;
         }
         // A single sample leaves the second half as it was made: zero.
-        let bindings = self.views().map(Binding::Texture).to_vec();
-        self.normalize.record(&self.device, recorder, bindings, output);
+        let bindings = self.halves.clone().map(Binding::Texture);
+        self.normalize.record(recorder, &bindings.each_ref(), output);
     }
 
     fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
-        ["half-a", "half-b"].into_iter().zip(Self::views(self)).collect()
+        ["half-a", "half-b"].into_iter().zip(self.halves.iter().cloned()).collect()
     }
 
     fn target_bytes(&self) -> u64 {
-        self.halves.iter().map(|t| u64::from(t.width()) * u64::from(t.height()) * 16).sum()
+        self.halves.iter().map(wgpu::TextureView::texture).map(|t| u64::from(t.width()) * u64::from(t.height()) * 16).sum()
     }
 }

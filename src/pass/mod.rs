@@ -13,15 +13,19 @@
 //!
 //! Nothing here knows who draws: the workbench answers with its own forward renderer, an embedder with theirs.
 
+mod bindings;
+mod compute;
 mod draw;
 mod options;
 mod record;
 mod screen;
 
+pub(crate) use bindings::Binding;
+pub(crate) use compute::{ComputePass, Groups};
 pub use draw::{Draw, Jitter, Sum, Target};
 pub use options::{Kind, OptionSpec, Options};
 pub use record::{Recorder, Timer};
-pub(crate) use screen::{Binding, ScreenPass};
+pub(crate) use screen::ScreenPass;
 
 use std::fmt::Debug;
 
@@ -133,6 +137,8 @@ pub struct Context<'a> {
     pub size: [u32; 2],
     /// The pictures that a draw makes or that come in.
     pub input: Surface,
+    /// Hardware samples a pixel that the picture was resolved from, if it was; else 1.
+    pub input_samples: u32,
     /// What is written.
     pub output: Surface,
 }

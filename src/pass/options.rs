@@ -39,6 +39,13 @@ pub enum Kind {
         /// The greatest.
         max: f64,
     },
+    /// Either a whole number between two, both included, or the word `auto`.
+    IntegerOrAuto {
+        /// The least.
+        min: u32,
+        /// The greatest.
+        max: u32,
+    },
     /// One of some names.
     Choice(fn() -> Vec<&'static str>),
     /// `on` or `off`.
@@ -53,6 +60,7 @@ impl Kind {
             Self::Integer { min, max } => format!("{min} to {max}"),
             Self::Number { min, max } => format!("{min} to {max}"),
             Self::NumberOrAuto { min, max } => format!("{min} to {max}, or auto"),
+            Self::IntegerOrAuto { min, max } => format!("{min} to {max}, or auto"),
             Self::Choice(names) => names().join("|"),
             Self::Switch => "on|off".into(),
         }
@@ -61,17 +69,18 @@ impl Kind {
     fn parse(&self, method: &str, option: &str, text: &str) -> Result<Value> {
         let out_of_range = || {
             let hint = if text.contains(':') { "; options are separated by commas" } else { "" };
-            let kind = if matches!(self, Self::Integer { .. }) { "a whole number from " } else { "" };
+            let kind =
+                if matches!(self, Self::Integer { .. } | Self::IntegerOrAuto { .. }) { "a whole number from " } else { "" };
             Error::Request(format!("{method}: {option}={text} is out of range; {option} takes {kind}{}{hint}", self.range()))
         };
         let number = |min: f64, max: f64| {
             text.parse().ok().filter(|x| (min..=max).contains(x)).map(Value::Number).ok_or_else(out_of_range)
         };
         match self {
-            Self::Integer { min, max } => {
+            Self::NumberOrAuto { .. } | Self::IntegerOrAuto { .. } if text == "auto" => Ok(Value::Auto),
+            Self::Integer { min, max } | Self::IntegerOrAuto { min, max } => {
                 text.parse().ok().filter(|x| (min..=max).contains(&x)).map(Value::Integer).ok_or_else(out_of_range)
             }
-            Self::NumberOrAuto { .. } if text == "auto" => Ok(Value::Auto),
             Self::Number { min, max } | Self::NumberOrAuto { min, max } => number(*min, *max),
             Self::Choice(names) => {
                 let names = names();
@@ -144,6 +153,12 @@ impl Options {
             Some(Value::Integer(x)) => x,
             other => unreachable!("option {name} is no integer: {other:?}"),
         }
+    }
+
+    /// Of a [`Kind::IntegerOrAuto`] option of this method; `auto` stands for what is given here.
+    #[must_use]
+    pub fn integer_or(&self, name: &str, auto: u32) -> u32 {
+        if self.value(name) == Some(Value::Auto) { auto } else { self.integer(name) }
     }
 
     /// Of a [`Kind::Number`] or [`Kind::NumberOrAuto`] option of this method; none for `auto`.

@@ -1,30 +1,16 @@
 //! Full-screen passes: one triangle, one bind group, one target.
 
 use super::Recorder;
+use super::bindings::{Binding, Bound};
 use crate::shader::Source;
 
 /// A pipeline that fills a target, with its bind group kept for as long as it is given the same resources.
 #[derive(Debug)]
 pub(crate) struct ScreenPass {
+    device: wgpu::Device,
     label: &'static str,
     pipeline: wgpu::RenderPipeline,
-    bound: Option<(Vec<Binding>, wgpu::BindGroup)>,
-}
-
-/// A resource at binding 0, 1, ... of group 0.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Binding {
-    Texture(wgpu::TextureView),
-    Buffer(wgpu::Buffer),
-}
-
-impl Binding {
-    fn resource(&self) -> wgpu::BindingResource<'_> {
-        match self {
-            Self::Texture(view) => wgpu::BindingResource::TextureView(view),
-            Self::Buffer(buffer) => buffer.as_entire_binding(),
-        }
-    }
+    bound: Bound,
 }
 
 impl ScreenPass {
@@ -60,22 +46,13 @@ impl ScreenPass {
             multiview_mask: None,
             cache: None,
         });
-        Self { label, pipeline, bound: None }
+        Self { device: device.clone(), label, pipeline, bound: Bound::default() }
     }
 
     /// Records the pass over the whole of `output`.
-    pub(crate) fn record(
-        &mut self,
-        device: &wgpu::Device,
-        recorder: &mut Recorder<'_>,
-        bindings: Vec<Binding>,
-        output: &wgpu::TextureView,
-    ) {
-        if self.bound.as_ref().is_none_or(|(bound, _)| *bound != bindings) {
-            let group = self.bind(device, &bindings);
-            self.bound = Some((bindings, group));
-        }
-        let group = self.bound.as_ref().map(|(_, group)| group);
+    pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, bindings: &[&Binding], output: &wgpu::TextureView) {
+        let pipeline = &self.pipeline;
+        let group = self.bound.group(&self.device, self.label, || pipeline.get_bind_group_layout(0), bindings);
         let attachment = wgpu::RenderPassColorAttachment {
             view: output,
             depth_slice: None,
@@ -86,19 +63,9 @@ impl ScreenPass {
         let descriptor =
             wgpu::RenderPassDescriptor { label: Some(self.label), color_attachments: &[Some(attachment)], ..Default::default() };
         recorder.render(&descriptor, |pass| {
-            pass.set_pipeline(&self.pipeline);
+            pass.set_pipeline(pipeline);
             pass.set_bind_group(0, group, &[]);
             pass.draw(0..3, 0..1);
         });
-    }
-
-    fn bind(&self, device: &wgpu::Device, bindings: &[Binding]) -> wgpu::BindGroup {
-        let entries: Vec<_> =
-            bindings.iter().zip(0..).map(|(b, binding)| wgpu::BindGroupEntry { binding, resource: b.resource() }).collect();
-        device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(self.label),
-            layout: &self.pipeline.get_bind_group_layout(0),
-            entries: &entries,
-        })
     }
 }

@@ -33,7 +33,7 @@ impl BitDepth {
 }
 
 /// The nearest of the levels 0 to `max` to a value in [0, 1].
-fn level(value: f32, max: u16) -> u16 {
+pub(super) fn level(value: f32, max: u16) -> u16 {
     // In f64 the product is exact, so a value that was made from a level always returns to it.
     (f64::from(value.clamp(0.0, 1.0)) * f64::from(max) + 0.5).floor() as u16
 }

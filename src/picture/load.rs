@@ -1,9 +1,9 @@
-//! Pictures from files: PNG and JPEG hold display values, OpenEXR holds linear ones. The bytes decide, not the name.
+//! Pictures from files: PNG, JPEG and WebP hold display values, OpenEXR holds linear ones. The bytes decide, not the name.
 
-use super::{DisplayPicture, LinearPicture};
+use super::{DisplayPicture, FileKind, LinearPicture};
 use crate::{Error, Result};
 use exr::meta::MetaData;
-use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek};
 use std::path::Path;
@@ -20,7 +20,7 @@ const MAX_BYTES: u64 = 2 * 16 * MAX_PIXELS;
 /// A picture in the encoding its file has.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Loaded {
-    /// sRGB-coded values, from PNG or JPEG.
+    /// sRGB-coded values, from PNG, JPEG or WebP.
     Display(DisplayPicture),
     /// Linear values, from OpenEXR.
     Linear(LinearPicture),
@@ -55,18 +55,36 @@ impl Loaded {
     }
 }
 
-/// Reads a PNG (any depth and colour type), a JPEG or an OpenEXR picture with RGB(A) channels. Integer values are taken as
-/// sRGB-coded whatever gamma or profile the file carries, and a missing alpha is 1.
+/// Reads a PNG (any depth and colour type), a JPEG, a still WebP or an OpenEXR picture with RGB(A) channels. Integer values are
+/// taken as sRGB-coded whatever gamma or profile the file carries, pixels as they lie whatever its orientation, and a missing
+/// alpha is 1. [`super::PictureFile`] reads what this leaves out.
 ///
 /// # Errors
 ///
 /// [`Error::Io`] if the file is absent or unreadable; [`Error::Format`] if its bytes are no such picture, are damaged or cut
 /// short, or if it is larger than [`MAX_SIDE`] or [`MAX_PIXELS`], which is found out before its pixels are allocated.
 pub fn load(path: &Path) -> Result<Loaded> {
+    open(path, |file, kind| from_image(DynamicImage::from_decoder(decoder(file, kind)?)?))
+}
+
+/// Width and height of a picture in pixels as its header states them, before any turning. No pixel is decoded.
+///
+/// # Errors
+///
+/// As [`load()`], as far as the header shows it.
+pub fn measure(path: &Path) -> Result<[u32; 2]> {
+    open(path, |file, kind| {
+        let (width, height) = decoder(file, kind)?.dimensions();
+        Ok([width, height])
+    })
+}
+
+/// Opens a file, finds out its kind and lets `read` have it from the beginning.
+pub(super) fn open<T>(path: &Path, read: impl FnOnce(BufReader<File>, FileKind) -> Result<T, Refusal>) -> Result<T> {
     let mut file = BufReader::new(File::open(path).map_err(Error::io("read", path))?);
     let mut start = Vec::new();
     file.by_ref().take(64).read_to_end(&mut start).map_err(Error::io("read", path))?;
-    let kind = Kind::of(&start).map_err(|message| format_error(path, "PNG, JPEG or OpenEXR picture", message))?;
+    let kind = FileKind::of_bytes(&start).map_err(|message| format_error(path, "PNG, JPEG, WebP or OpenEXR picture", message))?;
     file.rewind().map_err(Error::io("read", path))?;
     read(file, kind).map_err(|refusal| match refusal {
         Refusal::Io(source) => Error::io("read", path)(source),
@@ -78,48 +96,8 @@ fn format_error(path: &Path, expected: &'static str, message: String) -> Error {
     Error::Format { path: path.to_path_buf(), expected, message }
 }
 
-/// The formats that are read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Png,
-    Jpeg,
-    Exr,
-}
-
-impl Kind {
-    /// The kind that a file's first bytes announce, or what they are instead.
-    fn of(start: &[u8]) -> Result<Self, String> {
-        match start {
-            [] => Err("it is empty".into()),
-            [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', ..] => Ok(Self::Png),
-            [0xff, 0xd8, 0xff, ..] => Ok(Self::Jpeg),
-            [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Self::Exr),
-            _ if start.starts_with(b"version https://git-lfs") => {
-                Err("it is a Git LFS pointer, not the picture; run `git lfs pull`".into())
-            }
-            _ => Err("it begins like none of them".into()),
-        }
-    }
-
-    fn expected(self) -> &'static str {
-        match self {
-            Self::Png => "PNG picture",
-            Self::Jpeg => "JPEG picture",
-            Self::Exr => "OpenEXR picture",
-        }
-    }
-
-    fn format(self) -> ImageFormat {
-        match self {
-            Self::Png => ImageFormat::Png,
-            Self::Jpeg => ImageFormat::Jpeg,
-            Self::Exr => ImageFormat::OpenExr,
-        }
-    }
-}
-
 /// Why a file gave no picture: the system's fault, or its bytes'.
-enum Refusal {
+pub(super) enum Refusal {
     Io(io::Error),
     Format(String),
 }
@@ -142,9 +120,10 @@ fn limits_in_words() -> String {
     format!("pictures of up to {MAX_SIDE} pixels a side and {MAX_PIXELS} in all are read")
 }
 
-fn read(mut file: BufReader<File>, kind: Kind) -> Result<Loaded, Refusal> {
-    if kind == Kind::Exr {
-        check_exr_windows(&mut file)?;
+/// A decoder of a picture that has a sensible size.
+pub(super) fn decoder(mut file: BufReader<File>, kind: FileKind) -> Result<impl ImageDecoder, Refusal> {
+    if kind == FileKind::Exr {
+        check_exr_windows(&exr_header(&mut file)?)?;
     }
     let mut limits = Limits::default();
     limits.max_image_width = Some(MAX_SIDE);
@@ -155,18 +134,24 @@ fn read(mut file: BufReader<File>, kind: Kind) -> Result<Loaded, Refusal> {
     let decoder = reader.into_decoder()?;
     let (width, height) = decoder.dimensions();
     check_size(width.into(), height.into())?;
-    from_image(DynamicImage::from_decoder(decoder)?)
+    Ok(decoder)
+}
+
+/// What an EXR file says before its pixels. The file is left at its beginning.
+pub(super) fn exr_header(file: &mut BufReader<File>) -> Result<MetaData, Refusal> {
+    let meta = MetaData::read_from_buffered(&mut *file, false).map_err(|error| Refusal::Format(error.to_string()))?;
+    file.rewind().map_err(Refusal::Io)?;
+    Ok(meta)
 }
 
 /// An EXR's pixels may lie in a window other than the displayed one; both have to be of a sensible size.
-fn check_exr_windows(file: &mut BufReader<File>) -> Result<(), Refusal> {
-    let meta = MetaData::read_from_buffered(&mut *file, false).map_err(|error| Refusal::Format(error.to_string()))?;
+fn check_exr_windows(meta: &MetaData) -> Result<(), Refusal> {
     for header in &meta.headers {
         let (data, display) = (header.layer_size, header.shared_attributes.display_window.size);
         check_size(data.width() as u64, data.height() as u64)?;
         check_size(display.width() as u64, display.height() as u64)?;
     }
-    file.rewind().map_err(Refusal::Io)
+    Ok(())
 }
 
 fn check_size(width: u64, height: u64) -> Result<(), Refusal> {
@@ -176,7 +161,7 @@ fn check_size(width: u64, height: u64) -> Result<(), Refusal> {
     Ok(())
 }
 
-fn from_image(image: DynamicImage) -> Result<Loaded, Refusal> {
+pub(super) fn from_image(image: DynamicImage) -> Result<Loaded, Refusal> {
     use DynamicImage as Image;
     let (width, height) = (image.width(), image.height());
     match image {

@@ -4,7 +4,12 @@
 //! other. Both are 32 bit floats, red, green, blue and alpha, the top row first. Alpha is coverage and is never coded.
 
 mod atomic;
+mod encode;
+mod file;
+#[cfg(test)]
+mod file_tests;
 mod integers;
+mod kind;
 mod load;
 mod save;
 mod srgb;
@@ -12,8 +17,10 @@ mod srgb;
 mod tests;
 
 pub use atomic::{write_atomically, write_bytes_atomically};
+pub use file::{Carried, PictureFile};
 pub use integers::BitDepth;
-pub use load::{Loaded, MAX_PIXELS, MAX_SIDE, load};
+pub use kind::{FileKind, Samples};
+pub use load::{Loaded, MAX_PIXELS, MAX_SIDE, load, measure};
 pub use save::{FileFormat, Metadata};
 pub use srgb::{srgb_decode, srgb_encode};
 

@@ -1,8 +1,10 @@
 //! Pictures into files: display values as PNG, linear ones as OpenEXR, with what made them as metadata.
 
-use super::{BitDepth, DisplayPicture, LinearPicture, write_atomically};
+use super::{BitDepth, DisplayPicture, LinearPicture, Pixel, write_atomically};
 use crate::{Error, Result};
-use exr::prelude::{Encoding, Image, Layer, LayerAttributes, SpecificChannels, Text, Vec2, WritableImage};
+use exr::image::write::channels::WritableChannels;
+use exr::meta::attribute::Chromaticities;
+use exr::prelude::{Encoding, Image, ImageAttributes, Layer, LayerAttributes, SpecificChannels, Text, Vec2, WritableImage, f16};
 use std::io::{self, Seek, Write};
 use std::path::Path;
 
@@ -84,7 +86,7 @@ fn add_text<W: Write>(encoder: &mut png::Encoder<'_, W>, key: &str, value: &str)
     }
 }
 
-fn png_failure(error: png::EncodingError) -> io::Error {
+pub(super) fn png_failure(error: png::EncodingError) -> io::Error {
     match error {
         png::EncodingError::IoError(source) => source,
         other => io::Error::new(io::ErrorKind::InvalidInput, other),
@@ -108,17 +110,64 @@ impl LinearPicture {
     ///
     /// Whatever the writer fails with.
     pub fn encode_exr(&self, writer: impl Write + Seek, metadata: Metadata<'_>) -> io::Result<()> {
-        let size = (self.width() as usize, self.height() as usize);
-        let channels = SpecificChannels::rgba(|at: Vec2<usize>| {
-            let [r, g, b, a] = self.pixel(at.x() as u32, at.y() as u32);
+        let channels = SpecificChannels::rgba(|at| {
+            let [r, g, b, a] = self.at(at);
             (r, g, b, a)
         });
-        let layer = Layer::new(size, comments(metadata), Encoding::SMALL_LOSSLESS, channels);
-        Image::from_layer(layer).write().to_buffered(writer).map_err(|error| match error {
-            exr::error::Error::Io(source) => source,
-            other => io::Error::other(other.to_string()),
-        })
+        write_exr(&self.exr(channels, comments(metadata), None), writer)
     }
+
+    /// Without metadata: as halves, which take half the room, and without an alpha of ones, if asked for.
+    pub(super) fn encode_exr_as(
+        &self,
+        writer: impl Write + Seek,
+        half: bool,
+        alpha: bool,
+        primaries: Option<Chromaticities>,
+    ) -> io::Result<()> {
+        let plain = LayerAttributes::default();
+        let rgb = |at| {
+            let [r, g, b, _] = self.at(at);
+            (r, g, b)
+        };
+        let rgba = |at| {
+            let [r, g, b, a] = self.at(at);
+            (r, g, b, a)
+        };
+        let half_rgb = |at| {
+            let [r, g, b, _] = self.at(at).map(f16::from_f32);
+            (r, g, b)
+        };
+        let half_rgba = |at| {
+            let [r, g, b, a] = self.at(at).map(f16::from_f32);
+            (r, g, b, a)
+        };
+        match (half, alpha) {
+            (false, false) => write_exr(&self.exr(SpecificChannels::rgb(rgb), plain, primaries), writer),
+            (false, true) => write_exr(&self.exr(SpecificChannels::rgba(rgba), plain, primaries), writer),
+            (true, false) => write_exr(&self.exr(SpecificChannels::rgb(half_rgb), plain, primaries), writer),
+            (true, true) => write_exr(&self.exr(SpecificChannels::rgba(half_rgba), plain, primaries), writer),
+        }
+    }
+
+    fn at(&self, at: Vec2<usize>) -> Pixel {
+        self.pixel(at.x() as u32, at.y() as u32)
+    }
+
+    fn exr<C>(&self, channel_data: C, attributes: LayerAttributes, primaries: Option<Chromaticities>) -> Image<Layer<C>> {
+        let size = Vec2(self.width() as usize, self.height() as usize);
+        let layer_data = Layer { channel_data, attributes, size, encoding: Encoding::SMALL_LOSSLESS };
+        let mut attributes = ImageAttributes::with_size(size);
+        attributes.chromaticities = primaries;
+        Image { attributes, layer_data }
+    }
+}
+
+fn write_exr<'i, C: WritableChannels<'i>>(image: &'i Image<Layer<C>>, writer: impl Write + Seek) -> io::Result<()> {
+    image.write().to_buffered(writer).map_err(|error| match error {
+        exr::error::Error::Io(source) => source,
+        other => io::Error::other(other.to_string()),
+    })
 }
 
 /// One attribute for all: the encoder keeps attributes of one's own in random order, which would change the file's bytes.

@@ -147,15 +147,38 @@ fn grey_and_opaque_pngs_become_rgba() {
 #[test]
 fn jpegs_are_read_and_cut_ones_refused() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut bytes = Vec::new();
-    let colours = [200, 100, 50].repeat(40 * 40);
-    let mut encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut bytes, 100);
-    encoder.encode(&colours, 40, 40, image::ExtendedColorType::Rgb8).expect("encoded");
+    let flat = DisplayPicture::from_rgba8(40, 40, &[200, 100, 50, 255].repeat(40 * 40)).expect("40x40");
+    let bytes = jpeg_bytes(&flat);
     let [r, g, b, a] = load(&write(&folder, "good.jpg", &bytes)).expect("loaded").into_display().pixel(20, 20);
     let near = |value: f32, level: f32| (255.0 * value - level).abs() <= 3.0;
     assert!(near(r, 200.0) && near(g, 100.0) && near(b, 50.0) && a == 1.0, "{r} {g} {b} {a}");
     let cut = load(&write(&folder, "cut.jpg", &bytes[..bytes.len() - 60]));
     assert!(matches!(cut, Err(Error::Format { .. })), "{cut:?}");
+}
+
+fn webp_bytes(picture: &DisplayPicture) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let encoder = image::codecs::webp::WebPEncoder::new_lossless(&mut bytes);
+    encoder.encode(&picture.to_rgba8(), picture.width(), picture.height(), image::ExtendedColorType::Rgba8).expect("encoded");
+    bytes
+}
+
+fn jpeg_bytes(picture: &DisplayPicture) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let channels: Vec<u8> = picture.to_rgba8().chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
+    let mut encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut bytes, 90);
+    encoder.encode(&channels, picture.width(), picture.height(), image::ExtendedColorType::Rgb8).expect("encoded");
+    bytes
+}
+
+#[test]
+fn webps_are_read_and_cut_ones_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (picture, bytes) = (sample(13, 7), webp_bytes(&sample(13, 7)));
+    let found = load(&write(&folder, "good.webp", &bytes)).expect("loaded");
+    assert_eq!(found, Loaded::Display(picture.quantized(BitDepth::Eight)));
+    let cut = load(&write(&folder, "cut.webp", &bytes[..bytes.len() / 2])).expect_err("cut");
+    assert!(matches!(cut, Error::Format { .. }) && cut.to_string().contains("WebP"), "{cut}");
 }
 
 #[test]
@@ -194,16 +217,19 @@ proptest::proptest! {
     /// Whatever is wrong with a file's bytes, the answer is a picture or an error.
     #[test]
     fn no_bytes_make_loading_panic(
-        exr: bool,
+        kind in 0..4,
         changes in proptest::collection::vec((0_usize..4000, 0_u8..=255), 1..6),
         cut in 0_usize..4000,
     ) {
-        let mut bytes = if exr {
-            let mut bytes = std::io::Cursor::new(Vec::new());
-            linear_sample(9, 5).encode_exr(&mut bytes, &[("scene", "edges")]).expect("encoded");
-            bytes.into_inner()
-        } else {
-            png_bytes(&sample(9, 5))
+        let mut bytes = match kind {
+            0 => {
+                let mut bytes = std::io::Cursor::new(Vec::new());
+                linear_sample(9, 5).encode_exr(&mut bytes, &[("scene", "edges")]).expect("encoded");
+                bytes.into_inner()
+            }
+            1 => webp_bytes(&sample(9, 5)),
+            2 => jpeg_bytes(&sample(9, 5)),
+            _ => png_bytes(&sample(9, 5)),
         };
         for (place, byte) in changes {
             let place = 4 + place % (bytes.len() - 4);
@@ -213,6 +239,12 @@ proptest::proptest! {
             bytes.truncate(bytes.len() - cut);
         }
         let folder = tempfile::tempdir().expect("a folder");
-        let _ = load(&write(&folder, "picture", &bytes));
+        let path = write(&folder, "picture", &bytes);
+        let _ = (load(&path), measure(&path));
+        if let Ok(file) = PictureFile::read(&path) {
+            // Whatever was read can be written, unless the format cannot hold it.
+            let kind = file.carried.kind;
+            let _ = file.save(&folder.path().join("again"), kind, 95);
+        }
     }
 }

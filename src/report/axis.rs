@@ -29,6 +29,11 @@ impl Axis {
         Self { from: 0.0, to: if most > 0.0 { 1.12 * most } else { 1.0 }, logarithmic: false, pixels }
     }
 
+    /// A linear axis from 0 to `most`; drawn from `pixels[0]` to `pixels[1]`.
+    pub(super) fn from_zero_to(most: f64, pixels: [i32; 2]) -> Self {
+        Self { from: 0.0, to: most, logarithmic: false, pixels }
+    }
+
     /// The pixel of a value.
     pub(super) fn pixel(&self, value: f64) -> i32 {
         let place = if self.logarithmic { value.max(LEAST).log10() } else { value };

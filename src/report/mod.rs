@@ -1,9 +1,12 @@
 //! Results shown: a table for the terminal, JSON for programs, a folder with a page for people.
 
 mod axis;
+mod edge_part;
 mod folder;
+mod frame;
 mod html;
 mod labels;
+mod lines;
 mod page;
 mod placement;
 mod plot;
@@ -17,6 +20,7 @@ mod tests;
 mod words;
 
 pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
+pub use lines::{LinePlot, Scale, Series};
 pub use terminal::{TABLE_WIDTH, table};
 
 use crate::suite::Results;

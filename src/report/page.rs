@@ -4,7 +4,7 @@ use super::html::SceneFiles;
 use super::labels::{Labels, distinct};
 use super::points::{self, Points};
 use super::words::{self, score, three_digits};
-use super::{plot, scene_part};
+use super::{edge_part, plot, scene_part};
 use crate::suite::{Results, SceneResult};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -38,6 +38,7 @@ pub(super) fn page(results: &Results, files: &[SceneFiles], labels: &Labels) -> 
                     @for (number, (scene, files)) in results.scenes.iter().zip(files).enumerate() {
                         (scene_part::section(number + 1, scene, files, results.size, labels))
                     }
+                    @if let Some(edges) = &results.edges { (edge_part::section(edges)) }
                     (again(results))
                 }
                 script { (PreEscaped(SCRIPT)) }
@@ -53,6 +54,7 @@ fn navigation(results: &Results) -> Markup {
         @for (number, scene) in results.scenes.iter().enumerate() {
             a href={ "#scene-" (number + 1) } { (scene.name) }
         }
+        @if results.edges.is_some() { a href="#edges" { "Straight edges" } }
         a href="#again" { "Run it again" }
     }
 }

@@ -1,10 +1,11 @@
 //! Time against error as an SVG picture.
 
 use super::axis::Axis;
+use super::frame::{self, Canvas, Drawn, Frame, INK, LETTERS, MUTED, write};
 use super::placement::{Rect, place};
 use super::points::Point;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::text_anchor::{HPos, VPos};
 
 /// Size of a plot in pixels; a page may scale it.
 const SIZE: (u32, u32) = (760, 400);
@@ -12,18 +13,9 @@ const SIZE: (u32, u32) = (760, 400);
 /// What the axes enclose: left, top, right, bottom.
 const FRAME: [i32; 4] = [70, 16, 744, 346];
 
-/// Height of letters in pixels. The backend divides its font sizes by 1.24.
-const LETTERS: f64 = 13.0;
-
-// The page's style sheet replaces these by name in a dark theme.
-const INK: RGBColor = RGBColor(0x1f, 0x23, 0x28);
-const MUTED: RGBColor = RGBColor(0x59, 0x63, 0x6e);
-const GRID: RGBColor = RGBColor(0xd9, 0xde, 0xe4);
+// Replaced in a dark theme, as the others.
 const UNBEATEN: RGBColor = RGBColor(0x0a, 0x6b, 0xd6);
 const BEATEN: RGBColor = RGBColor(0x8c, 0x95, 0x9f);
-
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
-type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
 /// Total milliseconds (logarithmic) against mean FLIP error, a labelled dot for each point; the unbeaten ones are filled and
 /// joined by a line. The same points give the same bytes. None if there is nothing to draw.
@@ -31,23 +23,14 @@ pub(super) fn svg(points: &[Point]) -> Option<String> {
     if points.is_empty() {
         return None;
     }
-    let mut text = String::new();
-    let canvas = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-    let drawn = draw(&canvas, points).and_then(|()| canvas.present());
-    drop(canvas);
-    drawn.ok().map(|()| for_a_page(&text))
-}
-
-/// Within HTML the name space goes without saying, and a page should name no address at all.
-fn for_a_page(text: &str) -> String {
-    text.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", " role=\"img\" aria-label=\"total time against mean FLIP error\"", 1)
+    frame::svg(SIZE, |canvas| draw(canvas, points)).map(|text| frame::for_a_page(&text, "total time against mean FLIP error"))
 }
 
 fn draw(canvas: &Canvas<'_>, points: &[Point]) -> Drawn {
     let [left, top, right, bottom] = FRAME;
     let times = Axis::logarithmic(points.iter().map(|point| point.time_ms), [left, right]);
     let errors = Axis::from_zero(points.iter().map(|point| point.error), [bottom, top]);
-    draw_axes(canvas, &times, &errors)?;
+    Frame { enclosed: FRAME, x: (&times, "total time in ms (logarithmic)"), y: (&errors, "mean FLIP error") }.draw(canvas)?;
 
     let mut points: Vec<&Point> = points.iter().collect();
     points.sort_by(|a, b| a.time_ms.total_cmp(&b.time_ms).then(a.error.total_cmp(&b.error)));
@@ -60,25 +43,6 @@ fn draw(canvas: &Canvas<'_>, points: &[Point]) -> Drawn {
         canvas.draw(&Circle::new(at(point), 5, style))?;
     }
     draw_labels(canvas, &points, &front, at)
-}
-
-fn draw_axes(canvas: &Canvas<'_>, times: &Axis, errors: &Axis) -> Drawn {
-    let [left, top, right, bottom] = FRAME;
-    for (value, label) in times.ticks() {
-        let x = times.pixel(value);
-        canvas.draw(&PathElement::new([(x, top), (x, bottom)], GRID))?;
-        write(canvas, &label, (x, bottom + 6), MUTED, HPos::Center, VPos::Top)?;
-    }
-    for (value, label) in errors.ticks() {
-        let y = errors.pixel(value);
-        canvas.draw(&PathElement::new([(left, y), (right, y)], GRID))?;
-        write(canvas, &label, (left - 8, y), MUTED, HPos::Right, VPos::Center)?;
-    }
-    canvas.draw(&PathElement::new([(left, top), (left, bottom), (right, bottom)], MUTED))?;
-    let middle = i32::midpoint(left, right);
-    write(canvas, "total time in ms (logarithmic)", (middle, bottom + 28), MUTED, HPos::Center, VPos::Top)?;
-    let upright = style(MUTED, HPos::Center, VPos::Top).transform(FontTransform::Rotate270);
-    canvas.draw(&Text::new("mean FLIP error", (4, i32::midpoint(top, bottom)), upright))
 }
 
 fn draw_labels(canvas: &Canvas<'_>, points: &[&Point], front: &[(i32, i32)], at: impl Fn(&Point) -> (i32, i32)) -> Drawn {
@@ -105,15 +69,6 @@ fn draw_labels(canvas: &Canvas<'_>, points: &[&Point], front: &[(i32, i32)], at:
 /// About how wide a label is in a proportional sans-serif face.
 fn width_of(label: &str) -> i32 {
     (label.chars().count() as f64 * 0.58 * LETTERS).ceil() as i32
-}
-
-fn style(color: RGBColor, horizontal: HPos, vertical: VPos) -> TextStyle<'static> {
-    let font = ("sans-serif", LETTERS * 1.24).into_font();
-    TextStyle { font, color: color.to_backend_color(), pos: Pos::new(horizontal, vertical) }
-}
-
-fn write(canvas: &Canvas<'_>, text: &str, at: (i32, i32), color: RGBColor, horizontal: HPos, vertical: VPos) -> Drawn {
-    canvas.draw(&Text::new(text.to_string(), at, style(color, horizontal, vertical)))
 }
 
 #[cfg(test)]

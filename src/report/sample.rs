@@ -37,6 +37,7 @@ pub(super) fn results(methods: usize) -> Results {
         command: ["score", "edges", "fence", "-m", "none", "--size", "160x90"].map(String::from).to_vec(),
         size: SIZE,
         scenes: vec![scene("edges", 1.0), scene("fence", 2.5)],
+        edges: None,
     }
 }
 

@@ -93,6 +93,23 @@ fn failures_and_words_are_shown() {
 }
 
 #[test]
+fn straight_edges_have_a_section_where_there_are_any() {
+    use crate::suite::{EdgeCurve, EdgeErrors};
+    let mut results = sample::results(2);
+    assert!(!page_of(&results).contains("Straight edges"));
+    let curve =
+        |name: &str, rms: [f64; 3]| EdgeCurve { name: name.into(), baseline: name == "none", over_all: 0.25, rms: rms.into() };
+    let curves = vec![curve("none", [0.29, 0.25, 0.22]), curve("<filter>", [0.1, 0.125, 0.05])];
+    results.edges = Some(EdgeErrors { degrees: vec![0, 1, 2], curves });
+    let page = page_of(&results);
+    for text in ["href=\"#edges\"", "degrees from a vertical edge", "&lt;filter&gt;", "0.1250</td><td>1</td>"] {
+        assert!(page.contains(text), "{text}");
+    }
+    let read: Results = serde_json::from_str(&json(&results)).expect("readable");
+    assert_eq!(read.edges, results.edges);
+}
+
+#[test]
 fn a_scene_without_pictures_or_times_does_no_harm() {
     let mut results = sample::results(3);
     results.scenes[0].methods.remove(0);

@@ -30,7 +30,7 @@ pub struct Part {
 /// `part!("present.wgsl")`: a file under `shaders/`, embedded.
 macro_rules! part {
     ($file:literal) => {
-        $crate::shader::Part { file: $file, text: include_str!(concat!("../../shaders/", $file)) }
+        $crate::shader::Part { file: $file, text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/shaders/", $file)) }
     };
 }
 pub(crate) use part;

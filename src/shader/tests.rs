@@ -1,5 +1,7 @@
 //! Every shader through naga, and every shared struct against the module that reads it.
 
+mod translation;
+
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -93,20 +95,18 @@ fn a_drifted_struct_is_noticed() {
 
 type Type = naga::Handle<naga::Type>;
 
-/// Structs that uniform and storage buffers hold, by name, arrays looked into.
+/// Structs that uniform and storage buffers hold, by name, arrays looked into. Plain numbers and vectors have no fields to drift.
 fn structs_in_buffers(module: &naga::Module) -> Vec<(String, Type)> {
     let buffers = module
         .global_variables
         .iter()
         .filter(|(_, variable)| matches!(variable.space, naga::AddressSpace::Uniform | naga::AddressSpace::Storage { .. }));
-    buffers
-        .map(|(_, variable)| {
-            let handle = match module.types[variable.ty].inner {
-                naga::TypeInner::Array { base, .. } => base,
-                _ => variable.ty,
-            };
-            (module.types[handle].name.clone().unwrap_or_default(), handle)
-        })
+    let held = buffers.map(|(_, variable)| match module.types[variable.ty].inner {
+        naga::TypeInner::Array { base, .. } => base,
+        _ => variable.ty,
+    });
+    held.filter(|handle| matches!(module.types[*handle].inner, naga::TypeInner::Struct { .. }))
+        .map(|handle| (module.types[handle].name.clone().unwrap_or_default(), handle))
         .collect()
 }
 

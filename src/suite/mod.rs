@@ -1,7 +1,9 @@
 //! What a run of the bench says, as data: no GPU, no layout. `bench` fills it, `report` shows it.
 
+mod edges;
 mod results;
 
+pub use edges::{EdgeCurve, EdgeErrors};
 pub use results::{
     AnalyticDistance, MethodResult, NoiseFloor, Outcome, PassTiming, ReferenceResult, ReferenceTiming, Results, SCHEMA_VERSION,
     SceneResult, Score, Spread, Stamp, Timing,

@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::EdgeErrors;
 use crate::metrics::Figure;
 use crate::picture::NonFinite;
 
@@ -24,6 +25,9 @@ pub struct Results {
     pub size: [u32; 2],
     /// One entry a scene, in the order asked for.
     pub scenes: Vec<SceneResult>,
+    /// Filters on straight edges; absent if the run has no filter that takes a picture.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<EdgeErrors>,
 }
 
 /// What drew a picture: results are comparable only between equal stamps.

@@ -2,6 +2,7 @@
 
 mod caching;
 mod desk;
+mod filtering;
 mod models;
 mod names;
 mod outputs;

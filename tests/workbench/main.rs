@@ -5,6 +5,7 @@
 mod architecture;
 mod command;
 mod common;
+mod edges;
 mod exact;
 mod goldens;
 mod pictures;

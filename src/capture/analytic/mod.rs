@@ -5,10 +5,12 @@
 //! the scene itself.
 
 mod coverage;
+mod half_plane;
 mod polygon;
 mod zone_plate;
 
 pub use coverage::edges_crossing;
+pub use half_plane::half_plane_share;
 
 use crate::error::{Error, Result};
 use crate::picture::LinearPicture;

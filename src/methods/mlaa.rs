@@ -1,0 +1,95 @@
+//! MLAA: the shapes that edges form, drawn as lines again, and each pixel blended by what those cut off it.
+//!
+//! After Reshetov 2009, "Morphological Antialiasing": a line of edges ends where others cross it; what crosses at both ends makes it
+//! a Z, a U or an L, which stand for lines through the middles of the crossing edges. Areas are those of the trapezoids, exact.
+//!
+//! What differs. Reshetov blends along rows first and along columns of the result after that; here each pixel is blended once, with
+//! all four neighbours by the area that each covers, so nothing depends on which comes first. Searches end at `max_search`.
+//! Colours are mixed in linear light unless told otherwise.
+//!
+//! Known limits, which SMAA mends: corners are rounded, diagonals are taken for steps, and noise counts as edges.
+//!
+//! Cost: as SMAA, without diagonals and corners.
+
+use crate::error::Result;
+use crate::pass::{Context, Encoding, Kind, Method, Needs, OptionSpec, Options, Pass, Role, Technique};
+
+use super::morphology::{Blend, BlendSides, EdgeRule, Geometry, LINE_MODULES, LineRules};
+
+pub(super) const METHOD: Method = Method {
+    name: "mlaa",
+    summary: "morphological: Z, U and L shapes of edges blended by exact trapezoid areas",
+    source: "Reshetov 2009, Morphological Antialiasing",
+    options: &[
+        OptionSpec {
+            name: "edges",
+            help: "what steps at an edge; depth and ids need a scene",
+            kind: Kind::Choice(|| vec!["luma", "color", "depth", "ids"]),
+            default: "luma",
+        },
+        OptionSpec {
+            name: "threshold",
+            help: "least step of luma or colour; lower finds fainter edges",
+            kind: Kind::Number { min: 0.0, max: 0.5 },
+            default: "0.1",
+        },
+        OptionSpec {
+            name: "depth_step",
+            help: "least step of depth, relative to the nearer side's, slopes taken out",
+            kind: Kind::Number { min: 0.0, max: 1.0 },
+            default: "0.01",
+        },
+        OptionSpec {
+            name: "max_search",
+            help: "pixels along a line, each way; higher smooths longer lines",
+            kind: Kind::Integer { min: 1, max: 224 },
+            default: "64",
+        },
+        Blend::OPTION,
+    ],
+    configure: |options| Ok(Box::new(Mlaa::new(options))),
+    shaders: &LINE_MODULES,
+    layouts: &[],
+};
+
+/// MLAA with its options set.
+#[derive(Debug)]
+struct Mlaa(LineRules);
+
+impl Mlaa {
+    fn new(options: &Options) -> Self {
+        let edges = match Geometry::named(options.word("edges")) {
+            Some(of) => EdgeRule::Geometry { of, step: options.number("depth_step").unwrap_or_default() },
+            None => EdgeRule::Color {
+                by_channel: options.word("edges") == "color",
+                threshold: options.number("threshold").unwrap_or_default(),
+                contrast_factor: 0.0,
+                predication: None,
+            },
+        };
+        Self(LineRules {
+            edges,
+            line_reach_px: options.integer("max_search"),
+            diagonal_reach_px: 0,
+            corner_rounding: 1.0,
+            soften: false,
+            sides: BlendSides::All,
+            blend: Blend::named(options.word("blend")),
+        })
+    }
+}
+
+impl Technique for Mlaa {
+    fn needs(&self) -> Needs {
+        Needs {
+            role: Role::Filters(Encoding::Display),
+            output: Encoding::Display,
+            extras: self.0.edges.extras(),
+            ..Needs::default()
+        }
+    }
+
+    fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
+        Ok(Box::new(self.0.build(context, &self.0.exact_areas())?))
+    }
+}

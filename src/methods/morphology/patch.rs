@@ -1,0 +1,143 @@
+//! Bringing changed pixels into the picture.
+
+use super::edges::RESOLVED;
+use super::{Blend, Constants, EdgeFinder, Lists, picture_constants, storage_texture, texture_bytes};
+use crate::pass::{Binding, ComputePass, Context, Encoding, Groups, Inputs, Recorder, ScreenPass, Surface};
+use crate::shader::{Source, part};
+
+const TOUCH: Source = Source {
+    name: "touch",
+    parts: &[
+        part!("morphology/list.wgsl"),
+        part!("morphology/lines.wgsl"),
+        part!("morphology/enlist.wgsl"),
+        part!("morphology/touch.wgsl"),
+    ],
+};
+
+const APPLY: Source = Source {
+    name: "apply",
+    parts: &[
+        part!("common/screen.wgsl"),
+        part!("common/color.wgsl"),
+        part!("common/srgb.wgsl"),
+        part!("morphology/picture.wgsl"),
+        part!("morphology/apply.wgsl"),
+    ],
+};
+
+/// The modules of every method that patches.
+pub(crate) const SHARED_MODULES: [Source; 3] = [RESOLVED, TOUCH, APPLY];
+
+/// `patched!("name", parts...)`: a module that writes patches, for each of [`PATCH_FORMATS`].
+macro_rules! patched {
+    ($name:literal, $($part:expr),* $(,)?) => {
+        [
+            $crate::shader::Source { name: $name, parts: &[$($part,)* $crate::shader::part!("morphology/patch_rgba8unorm.wgsl")] },
+            $crate::shader::Source { name: $name, parts: &[$($part,)* $crate::shader::part!("morphology/patch_rgba16float.wgsl")] },
+            $crate::shader::Source { name: $name, parts: &[$($part,)* $crate::shader::part!("morphology/patch_rgba32float.wgsl")] },
+        ]
+    };
+}
+pub(crate) use patched;
+
+/// A module for each of [`PATCH_FORMATS`].
+pub(crate) type PatchedModules = [Source; 3];
+
+const PATCH_FORMATS: [wgpu::TextureFormat; 3] =
+    [wgpu::TextureFormat::Rgba8Unorm, wgpu::TextureFormat::Rgba16Float, wgpu::TextureFormat::Rgba32Float];
+
+/// Which of [`PATCH_FORMATS`] holds whatever the output can.
+fn patch_format(output: Surface) -> usize {
+    match (output.format, output.values) {
+        (wgpu::TextureFormat::Rgba8Unorm | wgpu::TextureFormat::Bgra8Unorm, Encoding::Display) => 0,
+        (wgpu::TextureFormat::Rgba32Float, _) => 2,
+        _ => 1,
+    }
+}
+
+/// Lists the pixels that may change: those with an edge on any side.
+#[derive(Debug)]
+pub(crate) struct Touch {
+    pass: ComputePass,
+    /// A bit for each of them.
+    pub(crate) touched: Binding,
+    groups: [u32; 2],
+    bytes: u64,
+}
+
+impl Touch {
+    pub(crate) fn new(context: &Context<'_>) -> Self {
+        let [width, height] = context.size;
+        let words = width.div_ceil(16);
+        let touched = storage_texture(context, "touched pixels", [words, height], wgpu::TextureFormat::R32Uint);
+        Self {
+            pass: ComputePass::new(context.device, "touch", &TOUCH, "cs_touch", &[]),
+            groups: [words.div_ceil(64), height],
+            bytes: texture_bytes(&touched),
+            touched: Binding::Texture(touched),
+        }
+    }
+
+    pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, edges: &EdgeFinder, lists: &Lists) {
+        let bindings = [&edges.masks, &self.touched, &lists.tally_binding, &lists.pixels];
+        self.pass.record(recorder, &bindings, Groups::Direct(self.groups));
+    }
+
+    pub(crate) fn bytes(&self) -> u64 {
+        self.bytes
+    }
+}
+
+/// Computes the pixels on a list anew, and writes the picture with them put in.
+#[derive(Debug)]
+pub(crate) struct Patches {
+    compute: ComputePass,
+    apply: ScreenPass,
+    patches: Binding,
+    bytes: u64,
+}
+
+impl Patches {
+    /// `modules` have the entry point and, at bindings 0 to 3, picture, patches, tally and list.
+    pub(crate) fn new(
+        context: &Context<'_>,
+        blend: Blend,
+        (label, modules, entry_point): (&'static str, &PatchedModules, &str),
+        constants: &[(&'static str, f64)],
+    ) -> Self {
+        let kind = patch_format(context.output);
+        let patches = storage_texture(context, "patches", context.size, PATCH_FORMATS[kind]);
+        let picture = picture_constants(context, blend);
+        let computing: Constants = picture.iter().chain(constants).copied().collect();
+        Self {
+            compute: ComputePass::new(context.device, label, &modules[kind], entry_point, &computing),
+            apply: ScreenPass::new(context.device, "apply", &APPLY, "fs_apply", &picture, context.output.format),
+            bytes: texture_bytes(&patches),
+            patches: Binding::Texture(patches),
+        }
+    }
+
+    /// `own` is what the module reads from binding 4 on, `touched` holds a bit for each pixel on the list.
+    pub(crate) fn record(
+        &mut self,
+        recorder: &mut Recorder<'_>,
+        (lists, list): (&Lists, u64),
+        (own, touched): (&[&Binding], &Binding),
+        inputs: &Inputs<'_>,
+        output: &wgpu::TextureView,
+    ) {
+        let color = Binding::Texture(inputs.color.clone());
+        let shared = [&color, &self.patches, &lists.tally_binding, &lists.pixels];
+        let mut bindings = [&color; 8];
+        let count = shared.len() + own.len();
+        bindings[..shared.len()].copy_from_slice(&shared);
+        bindings[shared.len()..count].copy_from_slice(own);
+        self.compute.record(recorder, &bindings[..count], Groups::Indirect(&lists.tally, list));
+        self.apply.record(recorder, &[&color, touched, &self.patches], output);
+    }
+
+    pub(crate) fn bytes(&self) -> u64 {
+        self.bytes
+    }
+}
