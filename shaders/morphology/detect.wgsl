@@ -26,42 +26,69 @@ fn without_resolved(edges: Edges, first: vec2<i32>) -> Edges {
     return Edges(edges.above & !here & !resolved_four(first - vec2<i32>(0, 1)), edges.left & !here & !left);
 }
 
-// Four pixels in a row a thread: bits 0 to 3 edges above, 4 to 7 edges to the left.
-var<workgroup> nibbles: array<u32, 64>;
+// Blocks of 4 x 4 pixels, one a thread: edges above in the low half, row by row, edges to the left in the high half.
+var<workgroup> blocks: array<u32, 64>;
 
 fn bits(edges: vec4<bool>) -> u32 {
     return dot(select(vec4<u32>(0u), vec4<u32>(1u, 2u, 4u, 8u), edges), vec4<u32>(1u));
 }
 
-@compute @workgroup_size(64)
-fn cs_detect(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_index) thread: u32) {
-    let corner = 16u * tile.xy;
+// A row of a block: its nibble in both halves.
+fn row_of_block(first: vec2<u32>) -> u32 {
     let size = vec2<u32>(picture_size());
-    let first = corner + vec2<u32>(4u * (thread % 4u), thread / 4u);
     var edges = edges_of_four(vec2<i32>(first));
     if SPARE_RESOLVED {
         edges = without_resolved(edges, vec2<i32>(first));
     }
     // Beyond the right and lower border there are no pixels.
     let exists = (first.xxxx + vec4<u32>(0u, 1u, 2u, 3u) < size.xxxx) & (first.yyyy < size.yyyy);
-    nibbles[thread] = bits(edges.above & exists) | (bits(edges.left & exists) << 4u);
+    return bits(edges.above & exists) | (bits(edges.left & exists) << 16u);
+}
+
+// Nibbles of four blocks beside each other, as sixteen bits of a row in both halves.
+fn joined(nibbles: vec4<u32>) -> u32 {
+    let low = dot((nibbles & vec4<u32>(15u)) << vec4<u32>(0u, 4u, 8u, 12u), vec4<u32>(1u));
+    let high = dot(((nibbles >> vec4<u32>(16u)) & vec4<u32>(15u)) << vec4<u32>(16u, 20u, 24u, 28u), vec4<u32>(1u));
+    return low | high;
+}
+
+// A column of a block, as a nibble in both halves.
+fn column_of_block(block: vec4<u32>, column: u32) -> vec4<u32> {
+    let spread = (block >> vec4<u32>(column)) & vec4<u32>(0x11111111u);
+    let halves = spread | (spread >> vec4<u32>(3u)) | (spread >> vec4<u32>(6u)) | (spread >> vec4<u32>(9u));
+    return halves & vec4<u32>(0x000f000fu);
+}
+
+@compute @workgroup_size(64)
+fn cs_detect(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_index) thread: u32) {
+    let corner = 32u * tile.xy;
+    let size = vec2<u32>(picture_size());
+    let first = corner + 4u * vec2<u32>(thread % 8u, thread / 8u);
+    blocks[thread] = row_of_block(first)
+        | (row_of_block(first + vec2<u32>(0u, 1u)) << 4u)
+        | (row_of_block(first + vec2<u32>(0u, 2u)) << 8u)
+        | (row_of_block(first + vec2<u32>(0u, 3u)) << 12u);
     workgroupBarrier();
 
-    if thread < 16u && corner.y + thread < size.y {
-        let n = vec4<u32>(nibbles[4u * thread], nibbles[4u * thread + 1u], nibbles[4u * thread + 2u], nibbles[4u * thread + 3u]);
-        let shifts = vec4<u32>(0u, 4u, 8u, 12u);
-        let above = dot((n & vec4<u32>(15u)) << shifts, vec4<u32>(1u));
-        let left = dot((n >> vec4<u32>(4u)) << shifts, vec4<u32>(1u));
-        textureStore(masks, vec2<u32>(tile.x, corner.y + thread), vec4<u32>(above | (left << 16u)));
-        enlist(above | left, corner + vec2<u32>(0u, thread), CANDIDATES);
+    // A word of a row: 32 rows of two.
+    let row = thread / 2u;
+    let row_block = 8u * (row / 4u) + 4u * (thread % 2u);
+    let beside = vec4<u32>(blocks[row_block], blocks[row_block + 1u], blocks[row_block + 2u], blocks[row_block + 3u]);
+    let row_word = joined(beside >> vec4<u32>(4u * (row % 4u)));
+    let row_at = vec2<u32>(2u * tile.x + thread % 2u, corner.y + row);
+    if 16u * row_at.x < size.x && row_at.y < size.y {
+        textureStore(masks, row_at, vec4<u32>(row_word));
+        enlist((row_word | (row_word >> 16u)) & 0xffffu, vec2<u32>(16u * row_at.x, row_at.y), CANDIDATES);
     }
-    if thread >= 16u && thread < 32u && corner.x + thread - 16u < size.x {
-        let column = thread - 16u;
-        var word = 0u;
-        for (var row = 0u; row < 16u; row++) {
-            let nibble = nibbles[4u * row + column / 4u] >> (column % 4u);
-            word |= (((nibble >> 4u) & 1u) | ((nibble & 1u) << 16u)) << row;
-        }
-        textureStore(masks, vec2<u32>(words_of(size.x) + tile.y, corner.x + column), vec4<u32>(word));
+
+    // A word of a column: 32 columns of two, lines and crossings exchanged.
+    let column = thread / 2u;
+    let column_block = 32u * (thread % 2u) + column / 4u;
+    let below = vec4<u32>(blocks[column_block], blocks[column_block + 8u], blocks[column_block + 16u], blocks[column_block + 24u]);
+    let column_word = joined(column_of_block(below, column % 4u));
+    let column_at = vec2<u32>(2u * tile.y + thread % 2u, corner.x + column);
+    if 16u * column_at.x < size.y && column_at.y < size.x {
+        let at = vec2<u32>(words_of(size.x) + column_at.x, column_at.y);
+        textureStore(masks, at, vec4<u32>((column_word >> 16u) | (column_word << 16u)));
     }
 }

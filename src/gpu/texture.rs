@@ -23,6 +23,11 @@ impl Gpu {
         if spec.samples == 1 {
             usage |= wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::COPY_DST;
         }
+        // Filters on a software adapter write straight into their output.
+        let storable = [wgpu::TextureFormat::Rgba8Unorm, wgpu::TextureFormat::Rgba16Float, wgpu::TextureFormat::Rgba32Float];
+        if spec.samples == 1 && storable.contains(&spec.format) {
+            usage |= wgpu::TextureUsages::STORAGE_BINDING;
+        }
         let [width, height] = spec.size;
         self.device.create_texture(&wgpu::TextureDescriptor {
             label: Some(spec.label),

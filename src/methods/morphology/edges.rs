@@ -167,8 +167,8 @@ impl EdgeFinder {
     /// By a module of [`detect`]'s.
     pub(crate) fn with_module(context: &Context<'_>, module: &Source, constants: &[(&'static str, f64)]) -> Self {
         let [width, height] = context.size;
-        let groups = [width.div_ceil(16), height.div_ceil(16)];
-        let masks_size = [groups[0] + groups[1], width.max(height)];
+        let groups = [width.div_ceil(32), height.div_ceil(32)];
+        let masks_size = [width.div_ceil(16) + height.div_ceil(16), width.max(height)];
         let masks_view = storage_texture(context, "edge masks", masks_size, wgpu::TextureFormat::R32Uint);
         let resolved = Resolved::new(context);
         let spare = [("SPARE_RESOLVED", f64::from(u8::from(resolved.find.is_some())))];

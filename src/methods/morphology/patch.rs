@@ -90,11 +90,16 @@ impl Touch {
 }
 
 /// Computes the pixels on a list anew, and writes the picture with them put in.
+///
+/// Where nothing can be read and written at once, the changed pixels go into a texture of their own, and a pass over the whole
+/// picture puts them in. A software adapter, to which such a pass costs as much as all the rest, copies the picture and writes
+/// them straight into the copy, if it may: what comes out is the same.
 #[derive(Debug)]
 pub(crate) struct Patches {
     compute: ComputePass,
     apply: ScreenPass,
     patches: Binding,
+    may_copy: bool,
     bytes: u64,
 }
 
@@ -110,9 +115,11 @@ impl Patches {
         let patches = storage_texture(context, "patches", context.size, PATCH_FORMATS[kind]);
         let picture = picture_constants(context, blend);
         let computing: Constants = picture.iter().chain(constants).copied().collect();
+        let software = context.device.adapter_info().device_type == wgpu::DeviceType::Cpu;
         Self {
             compute: ComputePass::new(context.device, label, &modules[kind], entry_point, &computing),
             apply: ScreenPass::new(context.device, "apply", &APPLY, "fs_apply", &picture, context.output.format),
+            may_copy: software && context.input == context.output && context.output.format == PATCH_FORMATS[kind],
             bytes: texture_bytes(&patches),
             patches: Binding::Texture(patches),
         }
@@ -128,16 +135,39 @@ impl Patches {
         output: &wgpu::TextureView,
     ) {
         let color = Binding::Texture(inputs.color.clone());
-        let shared = [&color, &self.patches, &lists.tally_binding, &lists.pixels];
+        let target = Binding::Texture(output.clone());
+        let copies = self.may_copy && can_copy(inputs.color.texture(), output.texture());
+        let patches = if copies { &target } else { &self.patches };
+        if copies {
+            recorder.clocked("copy", |encoder| copy(encoder, inputs.color.texture(), output.texture()));
+        }
+        let shared = [&color, patches, &lists.tally_binding, &lists.pixels];
         let mut bindings = [&color; 8];
         let count = shared.len() + own.len();
         bindings[..shared.len()].copy_from_slice(&shared);
         bindings[shared.len()..count].copy_from_slice(own);
         self.compute.record(recorder, &bindings[..count], Groups::Indirect(&lists.tally, list));
-        self.apply.record(recorder, &[&color, touched, &self.patches], output);
+        if !copies {
+            self.apply.record(recorder, &[&color, touched, &self.patches], output);
+        }
     }
 
     pub(crate) fn bytes(&self) -> u64 {
         self.bytes
     }
+}
+
+/// Whether views can only be of the whole textures, and the textures let themselves be copied and written to.
+fn can_copy(from: &wgpu::Texture, to: &wgpu::Texture) -> bool {
+    let whole = |texture: &wgpu::Texture| texture.mip_level_count() == 1 && texture.depth_or_array_layers() == 1;
+    let written = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::STORAGE_BINDING;
+    whole(from)
+        && whole(to)
+        && from.format() == to.format()
+        && from.usage().contains(wgpu::TextureUsages::COPY_SRC)
+        && to.usage().contains(written)
+}
+
+fn copy(encoder: &mut wgpu::CommandEncoder, from: &wgpu::Texture, to: &wgpu::Texture) {
+    encoder.copy_texture_to_texture(from.as_image_copy(), to.as_image_copy(), to.size());
 }
