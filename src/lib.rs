@@ -1,12 +1,99 @@
 //! Anti-aliasing for wgpu, and the bench that scores it: speed against error.
 //!
-//! Three feature sets keep what you pay for small:
+//! # In a program of your own
 //!
-//! | feature | what it brings | what it pulls in |
-//! | --- | --- | --- |
-//! | `passes` | methods as passes on your own wgpu device ([`methods`], [`pass`], [`sampling`]) | wgpu, glam, bytemuck |
-//! | `score` | pictures, metrics, reports ([`picture`], [`metrics`], [`report`]) | image, flip-rs, maud, ...; no GPU stack |
-//! | `workbench` (default) | scenes, the forward renderer, captures, the bench, the command | all of it |
+//! A pass on your wgpu device, in your encoder, between your own passes (`examples/embed.rs` is a whole program):
+//!
+//! ```
+//! # #[cfg(feature = "passes")]
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! use dejag::methods::Spec;
+//! use dejag::pass::{Context, Inputs, Recorder, Surface};
+//! use wgpu::TextureUsages as Usages;
+//!
+//! # let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+//! # descriptor.backends = wgpu::Backends::NOOP;
+//! # descriptor.backend_options.noop.enable = true;
+//! # let adapter = pollster::block_on(wgpu::Instance::new(descriptor).request_adapter(&Default::default()))?;
+//! # let limits = wgpu::DeviceDescriptor { required_limits: wgpu::Limits::downlevel_defaults(), ..Default::default() };
+//! # let (device, queue) = pollster::block_on(adapter.request_device(&limits))?;
+//! # let size = [640, 360];
+//! # let target = |usage| {
+//! #     let texture = device.create_texture(&wgpu::TextureDescriptor {
+//! #         label: None,
+//! #         size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+//! #         mip_level_count: 1,
+//! #         sample_count: 1,
+//! #         dimension: wgpu::TextureDimension::D2,
+//! #         format: wgpu::TextureFormat::Rgba8UnormSrgb,
+//! #         usage,
+//! #         view_formats: &[],
+//! #     });
+//! #     texture.create_view(&Default::default())
+//! # };
+//! // Once, and again for another size or other options:
+//! let scene = target(Usages::RENDER_ATTACHMENT | Usages::TEXTURE_BINDING); // your picture: the pass reads it
+//! let output = target(Usages::RENDER_ATTACHMENT); // the pass writes it
+//! let surface = Surface::display(wgpu::TextureFormat::Rgba8UnormSrgb);
+//! let spec = Spec::parse("smaa:preset=high")?;
+//! let technique = &spec.stages[0].technique;
+//! technique.needs().check("smaa", device.features(), &[1, 4])?;
+//! let context = Context { device: &device, queue: &queue, size, input: surface, input_samples: 1, output: surface };
+//! let mut smaa = technique.build(&context)?;
+//!
+//! // Every frame:
+//! let mut encoder = device.create_command_encoder(&Default::default());
+//! // ... draw your scene into `scene` ...
+//! smaa.record(&mut Recorder::new(&mut encoder), 0, &Inputs::picture(&scene), &output);
+//! // ... draw text and menus over `output`, where they stay sharp ...
+//! queue.submit([encoder.finish()]);
+//! # Ok(())
+//! # }
+//! # #[cfg(not(feature = "passes"))]
+//! # fn main() {}
+//! ```
+//!
+//! - A spec is what the command line takes: a method, its options, `+` and the next stage ([`methods::METHODS`] has all of them).
+//!   Each stage is a pass of its own that reads what the one before it wrote.
+//! - A [`pass::Surface`] says what numbers mean. [`display`](pass::Surface::display) is a finished picture; through an `-srgb`
+//!   format shaders see it in linear light, and the pass knows. [`linear`](pass::Surface::linear) is light in [0, 1], as before an
+//!   `-srgb` swap chain; tone-map first. Input and output may differ in format. The format is the view's, and so is the size.
+//! - What a pass reads has the usage `TEXTURE_BINDING`, what it writes `RENDER_ATTACHMENT`; they are two textures. A view of one
+//!   mip or one layer will do.
+//! - [`pass::Needs`] tells before anything is built whether a method filters or draws, which device features it asks for, and
+//!   whether it reads depth or object ids. Filters ask for no features and no more than `wgpu::Limits::downlevel_defaults()`.
+//! - A frame makes no pipelines, buffers or textures and reads nothing back. Bind groups are kept while the input view stays the
+//!   same: keep the view, do not make it anew each frame.
+//! - Alpha is kept: blended as the colours are where pixels blend, untouched elsewhere.
+//!
+//! # Methods that draw
+//!
+//! `ssaa` and `msaa` ask for draws until they have enough:
+//!
+//! ```no_run
+//! # #[cfg(feature = "passes")]
+//! # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, output: &wgpu::TextureView, color: &wgpu::TextureView) -> dejag::Result<()> {
+//! use dejag::methods::Spec;
+//! use dejag::pass::{Context, Inputs, Recorder, Surface};
+//!
+//! let spec = Spec::parse("msaa:samples=4,resolve=mitchell,weight=luma")?;
+//! let surface = Surface::linear(wgpu::TextureFormat::Rgba16Float);
+//! let size = [1280, 720];
+//! let mut pass = spec.stages[0].technique.build(&Context { device, queue, size, input: surface, input_samples: 1, output: surface })?;
+//!
+//! let mut encoder = device.create_command_encoder(&Default::default());
+//! let mut k = 0;
+//! while let Some(draw) = pass.next_draw(k) {
+//!     // Draw your scene here as `draw` says: into `color` (here of `draw.samples` samples a pixel), moved by its jitter, or
+//!     // into the sum or output that `draw.target` names.
+//!     pass.record(&mut Recorder::new(&mut encoder), k, &Inputs::picture(color), output);
+//!     k += 1;
+//! }
+//! queue.submit([encoder.finish()]);
+//! # Ok(())
+//! # }
+//! # fn main() {}
+//! ```
 //!
 //! # A capture
 //!
@@ -29,36 +116,15 @@
 //! # fn main() {}
 //! ```
 //!
-//! # A method in a program of your own
+//! # Features
 //!
-//! A technique says what it needs; the pass it builds asks for draws until it has enough, and records its work into your encoder:
+//! Three feature sets keep what you pay for small:
 //!
-//! ```no_run
-//! # #[cfg(feature = "passes")]
-//! # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, output: &wgpu::TextureView, color: &wgpu::TextureView) -> dejag::Result<()> {
-//! use dejag::methods::Spec;
-//! use dejag::pass::{Context, FrameFacts, Inputs, Recorder, Surface};
-//!
-//! let spec = Spec::parse("msaa:samples=4,resolve=mitchell,weight=luma")?;
-//! let surface = Surface::linear(wgpu::TextureFormat::Rgba16Float);
-//! let size = [1280, 720];
-//! let mut pass = spec.stages[0].technique.build(&Context { device, queue, size, input: surface, input_samples: 1, output: surface })?;
-//!
-//! let mut encoder = device.create_command_encoder(&Default::default());
-//! let mut k = 0;
-//! while let Some(draw) = pass.next_draw(k) {
-//!     // Draw your scene here as `draw` says: into `color` (here of `draw.samples` samples a pixel), moved by its jitter, or
-//!     // into the sum or output that `draw.target` names.
-//!     let still = glam::Mat4::IDENTITY.to_cols_array_2d();
-//!     let frame = FrameFacts { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip: still };
-//!     let inputs = Inputs { color, samples: None, depth: None, motion: None, ids: None, frame };
-//!     pass.record(&mut Recorder::new(&mut encoder), k, &inputs, output);
-//!     k += 1;
-//! }
-//! queue.submit([encoder.finish()]);
-//! # Ok(())
-//! # }
-//! ```
+//! | feature | what it brings | what it pulls in |
+//! | --- | --- | --- |
+//! | `passes` | methods as passes on your own wgpu device ([`methods`], [`pass`], [`sampling`]) | wgpu, glam, bytemuck |
+//! | `score` | pictures, metrics, reports ([`picture`], [`metrics`], [`report`]) | image, flip-rs, maud, ...; no GPU stack |
+//! | `workbench` (default) | scenes, the forward renderer, captures, the bench, the command | all of it |
 
 #[cfg(feature = "workbench")]
 pub mod bench;

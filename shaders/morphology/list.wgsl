@@ -4,6 +4,7 @@
 
 const CANDIDATES: u32 = 0u;
 const TOUCHED: u32 = 4u;
+const DIAGONALS: u32 = 8u;
 
 fn words_of(pixels: u32) -> u32 {
     return (pixels + 15u) / 16u;

@@ -20,15 +20,8 @@ pub const DEMO_SCENES: &[&str] = &["edges", "fence", "foliage", "courtyard"];
 
 /// The methods they draw them with. At most eight: the demo has three minutes. Only the box filter, which is the reference's: any
 /// other filter's softness would count as error.
-pub const DEMO_METHODS: &[&str] = &[
-    "none",
-    "msaa:samples=4",
-    "msaa:samples=4,a2c=on",
-    "ssaa:spp=4,pattern=regular",
-    "ssaa:spp=4,pattern=rotated",
-    "ssaa:spp=16",
-    "ssaa:spp=64",
-];
+pub const DEMO_METHODS: &[&str] =
+    &["none", "fxaa", "mlaa", "smaa", "cmaa2", "msaa:samples=4", "msaa:samples=4+cmaa2", "ssaa:spp=16"];
 
 /// How often a method is timed unless told otherwise.
 pub const REPEATS: u32 = 5;

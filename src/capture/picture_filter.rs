@@ -6,7 +6,8 @@ use crate::methods::{METHODS, Spec};
 use crate::pass::{Context, Encoding, Extras, FrameFacts, Inputs, Pass, Recorder, Role, Surface, Timer};
 use crate::picture::Pixel;
 
-use super::view::{View, named};
+use super::shot::view_among;
+use super::view::{View, check_view};
 
 /// One or several filters, built for pictures of one size and surface. Used again and again, it allocates nothing on the device.
 #[derive(Debug)]
@@ -133,22 +134,23 @@ impl<'g> PictureFilter<'g> {
     /// # Errors
     /// [`Error::Request`] with those there are.
     pub fn check_view(&self, spec: &Spec, name: &str) -> Result<()> {
-        named(spec, name, self.views(), &[]).map(drop)
+        check_view(spec, name, &self.views())
     }
 
     /// An intermediate of the last run.
     ///
     /// # Errors
     /// [`Error::Request`] for a name that there is not, with those there are; [`Error::Gpu`].
-    pub fn view(&self, spec: &Spec, name: &str) -> Result<View> {
-        let view = named(spec, name, self.views(), &[])?;
+    pub fn view(&mut self, spec: &Spec, name: &str) -> Result<View> {
+        self.check_view(spec, name)?;
+        let view = view_among(self.gpu, self.stages.iter_mut().rev().map(|stage| &mut stage.pass), name)?;
         Ok(View::of_numbers(self.gpu.read_linear(view.texture())?))
     }
 
     /// The methods' intermediates by name; in a combination, the last stage's first.
     #[must_use]
-    pub fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
-        self.stages.iter().rev().flat_map(|stage| stage.pass.views()).collect()
+    pub fn views(&self) -> Vec<&'static str> {
+        self.stages.iter().rev().flat_map(|stage| stage.pass.views()).copied().collect()
     }
 
     /// Bytes on the device, the picture that goes in included.

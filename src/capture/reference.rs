@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cache::{Cache, CacheEntry};
 use super::present::Present;
-use super::shot::{Studio, Watch};
+use super::shot::{Shot, Studio, Watch};
 use crate::error::Result;
 use crate::methods::Spec;
 use crate::picture::{DisplayPicture, LinearPicture};
@@ -64,7 +64,7 @@ impl Studio<'_> {
         self.take(&mut shot, None, watch)?;
         let capture = self.read(&shot)?;
         let linear = capture.linear.unwrap_or_else(|| capture.display.to_linear());
-        let halves = self.halves(&shot.views())?;
+        let halves = self.halves(&mut shot)?;
         let entry = CacheEntry { size, scene: self.scene.name.clone(), spec: spec.to_string(), halves };
         cache.put(&key, &linear, &entry);
         // Shown from what the cache will hand out next time, not from the GPU's own copy: the same bits either way.
@@ -80,12 +80,12 @@ impl Studio<'_> {
         Present::display_of(self.gpu, self.scene, &self.gpu.upload_linear(linear))
     }
 
-    fn halves(&self, views: &[(&'static str, wgpu::TextureView)]) -> Result<Option<Halves>> {
-        let find = |name| views.iter().find(|(known, _)| *known == name);
-        let (Some((_, a)), Some((_, b))) = (find("half-a"), find("half-b")) else {
+    fn halves(&self, shot: &mut Shot) -> Result<Option<Halves>> {
+        if !["half-a", "half-b"].iter().all(|half| shot.views().contains(half)) {
             return Ok(None);
-        };
-        let (a, b) = (self.gpu.read_linear(a.texture())?, self.gpu.read_linear(b.texture())?);
+        }
+        let mut read = |half| self.gpu.read_linear(shot.view(self.gpu, half)?.texture());
+        let (a, b) = (read("half-a")?, read("half-b")?);
         Ok(difference(&a, &b, self.scene.exposure))
     }
 }

@@ -404,7 +404,27 @@ impl Shot {
 
     /// The methods' intermediates by name; in a combination, the last stage's first.
     #[must_use]
-    pub fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
-        self.stages.iter().rev().flat_map(|stage| stage.pass.views()).collect()
+    pub fn views(&self) -> Vec<&'static str> {
+        self.stages.iter().rev().flat_map(|stage| stage.pass.views()).copied().collect()
     }
+
+    /// One of them, of what was taken last.
+    ///
+    /// # Errors
+    /// [`Error::Request`] for a name that there is not; [`Error::Gpu`].
+    pub fn view(&mut self, gpu: &Gpu, name: &str) -> Result<wgpu::TextureView> {
+        view_among(gpu, self.stages.iter_mut().rev().map(|stage| &mut stage.pass), name)
+    }
+}
+
+/// An intermediate of the first of these passes that has one of this name.
+pub(super) fn view_among<'p>(
+    gpu: &Gpu,
+    passes: impl Iterator<Item = &'p mut Box<dyn Pass>>,
+    name: &str,
+) -> Result<wgpu::TextureView> {
+    let mut encoder = gpu.encoder();
+    let view = passes.into_iter().find_map(|pass| pass.view(&mut Recorder::new(&mut encoder), name));
+    gpu.submit(encoder)?;
+    view.ok_or_else(|| Error::Request(format!("there is no view '{name}'")))
 }

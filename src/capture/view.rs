@@ -101,8 +101,10 @@ impl Studio<'_> {
 
     fn intermediate(&mut self, name: &str, spec: &Spec, frame: u32, size: [u32; 2], watch: &mut dyn Watch) -> Result<View> {
         let mut shot = self.shot(spec, frame, size)?;
-        let view = named(spec, name, shot.views(), &["colour", "depth", "motion", "ids"])?;
+        let others = ["colour", "depth", "motion", "ids"];
+        check_view(spec, name, &[&others[..], &shot.views()].concat())?;
         self.take(&mut shot, None, watch)?;
+        let view = shot.view(self.gpu, name)?;
         let data = self.gpu.read_linear(view.texture())?;
         // Sums are 32 bit floats; a filter's weights, whose alpha is no weight of a sum, have no need of them.
         let sum = view.texture().format() == wgpu::TextureFormat::Rgba32Float;
@@ -117,19 +119,12 @@ impl View {
     }
 }
 
-/// The view of this name, or an error that lists those there are: `others` and the method's.
-pub(super) fn named(
-    spec: &Spec,
-    name: &str,
-    views: Vec<(&'static str, wgpu::TextureView)>,
-    others: &[&str],
-) -> Result<wgpu::TextureView> {
-    let names: Vec<&str> = others.iter().copied().chain(views.iter().map(|(known, _)| *known)).collect();
+/// Whether there is a view of this name; else an error that lists those there are.
+pub(super) fn check_view(spec: &Spec, name: &str, names: &[&str]) -> Result<()> {
     if names.is_empty() {
         return Err(Error::Request(format!("{spec} has no views")));
     }
-    let unknown = unknown(&format!("view of {spec}"), name, &names);
-    views.into_iter().find(|(known, _)| *known == name).map(|(_, view)| view).ok_or(unknown)
+    if names.contains(&name) { Ok(()) } else { Err(unknown(&format!("view of {spec}"), name, names)) }
 }
 
 /// Sums carry their weight in alpha: shows the mean they stand for.

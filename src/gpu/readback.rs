@@ -2,9 +2,8 @@
 
 use std::sync::mpsc;
 
-use half::f16;
-
-use super::Gpu;
+use super::texels::memory_for;
+use super::{Gpu, decode_texels};
 use crate::error::{Error, Result};
 use crate::picture::LinearPicture;
 
@@ -98,7 +97,7 @@ impl Gpu {
         }
     }
 
-    /// The texels as f32 RGBA. One- and two-channel formats fill red and green, with blue 0 and alpha 1.
+    /// The texels as f32 RGBA, as they are stored (see [`decode_texels`]).
     ///
     /// # Errors
     /// [`Error::Gpu`]; [`Error::Unsupported`] for a format that holds no colours.
@@ -109,39 +108,7 @@ impl Gpu {
             _ => wgpu::TextureAspect::All,
         };
         let bytes = self.read_bytes(texture, aspect)?;
-        let pixels: Vec<[f32; 4]> = match texture.format() {
-            F::Rgba32Float => texels(&bytes, |b: [u8; 16]| bytemuck::cast(b))?,
-            F::Rgba16Float => texels(&bytes, |b: [u8; 8]| bytemuck::cast::<_, [u16; 4]>(b).map(|h| f16::from_bits(h).to_f32()))?,
-            F::Rg32Float => texels(&bytes, |b: [u8; 8]| {
-                let [x, y]: [f32; 2] = bytemuck::cast(b);
-                [x, y, 0.0, 1.0]
-            })?,
-            F::Depth32Float | F::Depth32FloatStencil8 | F::R32Float => {
-                texels(&bytes, |b: [u8; 4]| [f32::from_ne_bytes(b), 0.0, 0.0, 1.0])?
-            }
-            F::R32Uint => texels(&bytes, |b: [u8; 4]| [u32::from_ne_bytes(b) as f32, 0.0, 0.0, 1.0])?,
-            F::Rgba8Unorm | F::Rgba8UnormSrgb => texels(&bytes, |b: [u8; 4]| b.map(|x| f32::from(x) / 255.0))?,
-            other => {
-                return Err(Error::Unsupported(format!("a texture of format {other:?} cannot be looked at")));
-            }
-        };
+        let pixels = decode_texels(texture.format(), &bytes)?;
         LinearPicture::new(texture.width(), texture.height(), pixels)
     }
-}
-
-fn texels<const N: usize>(bytes: &[u8], decode: impl Fn([u8; N]) -> [f32; 4]) -> Result<Vec<[f32; 4]>> {
-    let texels = bytes.as_chunks::<N>().0;
-    let mut pixels = memory_for(texels.len())?;
-    pixels.extend(texels.iter().map(|texel| decode(*texel)));
-    Ok(pixels)
-}
-
-/// An empty list with room for `count`: pictures are the one thing here that can be larger than memory.
-fn memory_for<T>(count: usize) -> Result<Vec<T>> {
-    let mut list = Vec::new();
-    list.try_reserve_exact(count).map_err(|_| Error::Gpu {
-        kind: "out of memory",
-        message: format!("no room for {} bytes of picture; choose a smaller size", count.saturating_mul(size_of::<T>())),
-    })?;
-    Ok(list)
 }

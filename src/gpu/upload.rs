@@ -1,31 +1,21 @@
 //! Pictures to the GPU.
 
-use half::f16;
-
-use super::Gpu;
+use super::{Gpu, encode_texels};
 use crate::error::{Error, Result};
 use crate::picture::{LinearPicture, Pixel};
 
 impl Gpu {
-    /// Fills a texture with pixels in reading order, whatever they mean: rounded to rgba8unorm or rgba16float, or kept in
-    /// rgba32float.
+    /// Fills a texture with pixels in reading order, whatever they mean: rounded to what its format holds (see
+    /// [`super::encode_texels`]).
     ///
     /// # Errors
     /// [`Error::Unsupported`] for another format, [`Error::Request`] for pixels that do not fill it.
     pub fn upload(&self, texture: &wgpu::Texture, pixels: &[Pixel]) -> Result<()> {
-        use wgpu::TextureFormat as F;
         let (width, height) = (texture.width(), texture.height());
         if pixels.len() as u64 != u64::from(width) * u64::from(height) {
             return Err(Error::Request(format!("{} pixels do not fill a texture of {width}x{height}", pixels.len())));
         }
-        let bytes = match texture.format() {
-            F::Rgba8Unorm | F::Rgba8UnormSrgb => {
-                pixels.iter().flatten().map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8).collect()
-            }
-            F::Rgba16Float => pixels.iter().flatten().flat_map(|v| f16::from_f32(*v).to_ne_bytes()).collect(),
-            F::Rgba32Float => bytemuck::cast_slice(pixels).to_vec(),
-            other => return Err(Error::Unsupported(format!("a picture cannot be put into a texture of format {other:?}"))),
-        };
+        let bytes = encode_texels(texture.format(), pixels)?;
         self.queue.write_texture(
             texture.as_image_copy(),
             &bytes,

@@ -23,8 +23,8 @@ use crate::pass::{
 use crate::shader::{Source, part};
 
 use super::morphology::{
-    Blend, EdgeFinder, Lists, PatchedModules, Patches, SHARED_MODULES, Touch, check_size, detect, patched, storage_texture,
-    texture_bytes,
+    Blend, EdgeFinder, Lists, PatchedModules, Patches, SHARED_MODULES, SHOW, Touch, Viewer, check_size, detect, patched,
+    storage_texture, texture_bytes,
 };
 
 const DETECT: Source = detect!("cmaa2 edges", part!("morphology/strips.wgsl"), part!("cmaa2/edges.wgsl"));
@@ -69,7 +69,7 @@ pub(super) const METHOD: Method = Method {
     configure: |options| Ok(Box::new(Cmaa2::new(options))),
     shaders: &{
         let ([a, b, c], [resolved, touch, apply]) = (BLEND, SHARED_MODULES);
-        [DETECT, WEIGHTS, a, b, c, resolved, touch, apply]
+        [DETECT, WEIGHTS, SHOW, a, b, c, resolved, touch, apply]
     },
     layouts: &[],
 };
@@ -117,6 +117,7 @@ impl Technique for Cmaa2 {
             weights_bytes: texture_bytes(&weights) + texture_bytes(&counts),
             weights: Binding::Texture(weights),
             counts: Binding::Texture(counts),
+            viewer: Viewer::new(context),
             touch: Touch::new(context),
             patches: Patches::new(context, self.blend, ("blend", &BLEND, "cs_blend"), &simple),
         }))
@@ -131,6 +132,7 @@ struct Cmaa2Pass {
     weights: Binding,
     counts: Binding,
     weights_bytes: u64,
+    viewer: Viewer,
     touch: Touch,
     patches: Patches,
 }
@@ -140,9 +142,17 @@ impl Pass for Cmaa2Pass {
         self.edges.record(recorder, &self.lists, inputs, None);
         let bindings = [&self.edges.masks, &self.lists.tally_binding, &self.lists.pixels, &self.weights, &self.counts];
         self.weigh.record(recorder, &bindings, Groups::Indirect(&self.lists.tally, Lists::CANDIDATES));
-        self.touch.record(recorder, &self.edges, &self.lists);
+        self.touch.record(recorder, &self.edges, &self.lists, None);
         let own = [&self.edges.masks, &self.weights, &self.counts];
         self.patches.record(recorder, (&self.lists, Lists::TOUCHED), (&own, &self.touch.touched), inputs, output);
+    }
+
+    fn views(&self) -> &'static [&'static str] {
+        &[Viewer::EDGES, Viewer::WEIGHTS]
+    }
+
+    fn view(&mut self, recorder: &mut Recorder<'_>, name: &str) -> Option<wgpu::TextureView> {
+        self.viewer.show(recorder, name, &self.edges.masks, Some(&self.weights))
     }
 
     fn target_bytes(&self) -> u64 {

@@ -19,8 +19,8 @@ use crate::pass::{
 use crate::shader::{Source, part};
 
 use super::morphology::{
-    Blend, EdgeFinder, Lists, PatchedModules, Patches, SHARED_MODULES, check_size, detect, patched, storage_texture,
-    texture_bytes,
+    Blend, EdgeFinder, Lists, PatchedModules, Patches, SHARED_MODULES, SHOW, Viewer, check_size, detect, patched,
+    storage_texture, texture_bytes,
 };
 
 const DETECT: Source = detect!("fxaa contrast", part!("fxaa/edges.wgsl"));
@@ -80,7 +80,7 @@ pub(super) const METHOD: Method = Method {
     configure: |options| Ok(Box::new(Fxaa::new(options))),
     shaders: &{
         let ([a, b, c], [resolved, _, apply]) = (SEARCH, SHARED_MODULES);
-        [DETECT, a, b, c, resolved, apply]
+        [DETECT, SHOW, a, b, c, resolved, apply]
     },
     layouts: &[],
 };
@@ -153,6 +153,7 @@ impl Technique for Fxaa {
             contrast: EdgeFinder::with_module(context, &DETECT, &self.detection),
             luma: Binding::Texture(luma.clone()),
             luma_view: luma,
+            viewer: Viewer::new(context),
             patches: Patches::new(context, self.blend, ("search", &SEARCH, "cs_search"), &search),
         }))
     }
@@ -164,6 +165,7 @@ struct FxaaPass {
     contrast: EdgeFinder,
     luma: Binding,
     luma_view: wgpu::TextureView,
+    viewer: Viewer,
     patches: Patches,
 }
 
@@ -173,6 +175,15 @@ impl Pass for FxaaPass {
         // The masks' words of rows say which pixels have work: those are the ones that change.
         let own = (&[&self.luma][..], &self.contrast.masks);
         self.patches.record(recorder, (&self.lists, Lists::CANDIDATES), own, inputs, output);
+    }
+
+    fn views(&self) -> &'static [&'static str] {
+        &[Viewer::EDGES, "luma"]
+    }
+
+    fn view(&mut self, recorder: &mut Recorder<'_>, name: &str) -> Option<wgpu::TextureView> {
+        // Pixels with work are shown as if they had an edge above.
+        if name == "luma" { Some(self.luma_view.clone()) } else { self.viewer.show(recorder, name, &self.contrast.masks, None) }
     }
 
     fn target_bytes(&self) -> u64 {

@@ -135,6 +135,9 @@ fn accumulator(context: &Context<'_>, label: &str) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
+/// The samples' halves.
+const VIEWS: [&str; 2] = ["half-a", "half-b"];
+
 #[derive(Debug)]
 struct Accumulation {
     jitters: Arc<[Jitter]>,
@@ -170,8 +173,12 @@ impl Pass for Accumulation {
         self.normalize.record(recorder, &bindings.each_ref(), output);
     }
 
-    fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
-        ["half-a", "half-b"].into_iter().zip(self.halves.iter().cloned()).collect()
+    fn views(&self) -> &'static [&'static str] {
+        &VIEWS
+    }
+
+    fn view(&mut self, _: &mut Recorder<'_>, name: &str) -> Option<wgpu::TextureView> {
+        VIEWS.iter().position(|known| *known == name).map(|half| self.halves[half].clone())
     }
 
     fn target_bytes(&self) -> u64 {

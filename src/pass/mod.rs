@@ -176,9 +176,15 @@ pub trait Pass: Debug {
     /// Records what is to be done after the `k`-th draw. After the last one the output holds the picture.
     fn record(&mut self, recorder: &mut Recorder<'_>, k: u32, inputs: &Inputs<'_>, output: &wgpu::TextureView);
 
-    /// Intermediates that can be looked at once a frame is complete, by name.
-    fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
-        Vec::new()
+    /// Names of the intermediates that can be looked at once a frame is complete.
+    fn views(&self) -> &'static [&'static str] {
+        &[]
+    }
+
+    /// One of them as a texture that can be copied from; records what it takes to make it visible. None for another name.
+    fn view(&mut self, recorder: &mut Recorder<'_>, name: &str) -> Option<wgpu::TextureView> {
+        let _ = (recorder, name);
+        None
     }
 
     /// Bytes of its private targets.
@@ -217,6 +223,22 @@ pub struct FrameFacts {
     /// Takes a clip-space position of this frame to where a point that stands still was in the frame before, both without jitter;
     /// columns. The way to reproject the background, which has no motion vectors of its own.
     pub previous_clip_from_clip: [[f32; 4]; 4],
+}
+
+impl Default for FrameFacts {
+    /// A picture by itself: nothing came before it.
+    fn default() -> Self {
+        let previous_clip_from_clip = glam::Mat4::IDENTITY.to_cols_array_2d();
+        Self { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip }
+    }
+}
+
+impl<'a> Inputs<'a> {
+    /// A picture and nothing beside it: all that a filter reads unless it asks for [`Extras`].
+    #[must_use]
+    pub fn picture(color: &'a wgpu::TextureView) -> Self {
+        Self { color, samples: None, depth: None, motion: None, ids: None, frame: FrameFacts::default() }
+    }
 }
 
 impl Extras {

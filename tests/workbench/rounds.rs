@@ -189,8 +189,12 @@ impl Pass for TwoRoundsPass {
         }
     }
 
-    fn views(&self) -> Vec<(&'static str, wgpu::TextureView)> {
-        vec![("sum", self.sum.clone())]
+    fn views(&self) -> &'static [&'static str] {
+        &["sum"]
+    }
+
+    fn view(&mut self, _: &mut Recorder<'_>, name: &str) -> Option<wgpu::TextureView> {
+        (name == "sum").then(|| self.sum.clone())
     }
 }
 
@@ -260,8 +264,8 @@ fn outside_the_mask_nothing_is_added() {
     let mut studio = Studio::new(&gpu, &scene).expect("uploads");
     let mut shot = studio.shot_of(&[("toy", &TwoRounds::Sum)], 0, SIZE, Extras::default()).expect("builds");
     studio.take(&mut shot, None, &mut ()).expect("draws");
-    let views = shot.views();
-    let sum = gpu.read_linear(views[0].1.texture()).expect("reads");
+    let sum = shot.view(&gpu, "sum").expect("there is one");
+    let sum = gpu.read_linear(sum.texture()).expect("reads");
     for y in 0..SIZE[1] {
         for x in 0..SIZE[0] {
             let weight = if in_mask(x, y) { 4.0 } else { 0.0 };

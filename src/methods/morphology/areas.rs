@@ -131,7 +131,6 @@ pub(crate) fn diagonal_lines(ends: [usize; 2]) -> &'static [[Point; 2]] {
     const IO: Point = [1.0, 0.0];
     const II: Point = [1.0, 1.0];
     match ends {
-        [0, 0] => &[[II, II], [IO, IO]],
         [1, 0] => &[[IO, OO], [IO, IO]],
         [0, 2] => &[[OO, IO], [IO, IO]],
         [1, 2] => &[[IO, IO]],

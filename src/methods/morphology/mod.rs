@@ -8,6 +8,7 @@ mod areas;
 mod edges;
 mod line_filter;
 mod patch;
+mod show;
 #[cfg(all(test, feature = "workbench"))]
 pub(super) mod tests;
 
@@ -17,15 +18,16 @@ pub(super) use edges::{EdgeFinder, EdgeRule, Geometry, Predication, check_size, 
 pub(super) use line_filter::Areas;
 pub(super) use line_filter::{BlendSides, LineRules};
 pub(super) use patch::{PatchedModules, Patches, SHARED_MODULES, Touch, patched};
+pub(super) use show::{SHOW, Viewer};
 
 use crate::error::{Error, Result};
 use crate::pass::{Binding, Context, Encoding, Kind, OptionSpec, Surface};
 use crate::shader::Source;
 
 /// Every module that [`LineRules`] may compile.
-pub(super) const LINE_MODULES: [Source; 12] = {
+pub(super) const LINE_MODULES: [Source; 15] = {
     let ([a, b, c, d, e], [f, g, h], [i, j, k]) = (edges::MODULES, SHARED_MODULES, line_filter::BLEND_MODULES);
-    [line_filter::WEIGHTS, a, b, c, d, e, f, g, h, i, j, k]
+    [line_filter::WEIGHTS, line_filter::DIAGONALS, patch::TOUCH_DIAGONALS, SHOW, a, b, c, d, e, f, g, h, i, j, k]
 };
 
 /// `(name, value)` of a shader's `override`s.
@@ -101,11 +103,13 @@ pub(super) struct Lists {
 }
 
 impl Lists {
-    const WORDS: u64 = 8;
+    const WORDS: u64 = 12;
     /// Where the dispatch over pixels with edges begins in `tally`, in bytes.
     pub(super) const CANDIDATES: u64 = 0;
     /// And the one over pixels that may change.
     pub(super) const TOUCHED: u64 = 16;
+    /// And the one over pixels that a staircase may go through.
+    pub(super) const DIAGONALS: u64 = 32;
 
     /// With room for every pixel.
     pub(super) fn new(context: &Context<'_>) -> Result<Self> {
@@ -118,25 +122,33 @@ impl Lists {
                 "a list of {width}x{height} pixels takes {bytes} bytes, more than this device binds; choose a smaller size"
             )));
         }
-        let buffer = |label, size, usage| {
-            context.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
-        };
-        let storage = wgpu::BufferUsages::STORAGE;
-        let tally = buffer(
-            "tally",
-            4 * Self::WORDS,
-            storage | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
-        );
+        let tally = context.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("tally"),
+            size: 4 * Self::WORDS,
+            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
         let empty = context.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("empty tally"),
-            contents: bytemuck::cast_slice(&[0_u32, 1, 1, 0, 0, 1, 1, 0]),
+            contents: bytemuck::cast_slice(&[0_u32, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0]),
             usage: wgpu::BufferUsages::COPY_SRC,
         });
-        let pixels = Binding::Buffer(buffer("pixel list", bytes, storage));
+        let pixels = Self::room(context);
         Ok(Self { tally_binding: Binding::Buffer(tally.clone()), tally, pixels, empty, bytes })
     }
 
-    /// Records that both lists are empty.
+    /// A list's own buffer, with room for every pixel.
+    pub(super) fn room(context: &Context<'_>) -> Binding {
+        let [width, height] = context.size;
+        Binding::Buffer(context.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("pixel list"),
+            size: 4 * u64::from(width) * u64::from(height),
+            usage: wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        }))
+    }
+
+    /// Records that all lists are empty.
     pub(super) fn clear(&self, encoder: &mut wgpu::CommandEncoder) {
         encoder.copy_buffer_to_buffer(&self.empty, 0, &self.tally, 0, 4 * Self::WORDS);
     }

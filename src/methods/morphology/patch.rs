@@ -15,6 +15,18 @@ const TOUCH: Source = Source {
     ],
 };
 
+/// As [`TOUCH`], with a list of the pixels that staircases may go through.
+pub(crate) const TOUCH_DIAGONALS: Source = Source {
+    name: "touch with diagonals",
+    parts: &[
+        part!("morphology/list.wgsl"),
+        part!("morphology/lines.wgsl"),
+        part!("morphology/enlist.wgsl"),
+        part!("morphology/touch.wgsl"),
+        part!("morphology/touch_diagonals.wgsl"),
+    ],
+};
+
 const APPLY: Source = Source {
     name: "apply",
     parts: &[
@@ -68,20 +80,29 @@ pub(crate) struct Touch {
 
 impl Touch {
     pub(crate) fn new(context: &Context<'_>) -> Self {
+        Self::with_pass(context, ComputePass::new(context.device, "touch", &TOUCH, "cs_touch", &[]))
+    }
+
+    /// Lists the pixels that a staircase may go through as well.
+    pub(crate) fn with_diagonals(context: &Context<'_>) -> Self {
+        Self::with_pass(context, ComputePass::new(context.device, "touch", &TOUCH_DIAGONALS, "cs_touch_diagonals", &[]))
+    }
+
+    fn with_pass(context: &Context<'_>, pass: ComputePass) -> Self {
         let [width, height] = context.size;
         let words = width.div_ceil(16);
         let touched = storage_texture(context, "touched pixels", [words, height], wgpu::TextureFormat::R32Uint);
-        Self {
-            pass: ComputePass::new(context.device, "touch", &TOUCH, "cs_touch", &[]),
-            groups: [words.div_ceil(64), height],
-            bytes: texture_bytes(&touched),
-            touched: Binding::Texture(touched),
-        }
+        Self { pass, groups: [words.div_ceil(64), height], bytes: texture_bytes(&touched), touched: Binding::Texture(touched) }
     }
 
-    pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, edges: &EdgeFinder, lists: &Lists) {
-        let bindings = [&edges.masks, &self.touched, &lists.tally_binding, &lists.pixels];
-        self.pass.record(recorder, &bindings, Groups::Direct(self.groups));
+    /// `diagonals` takes the second list, if there is one.
+    pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, edges: &EdgeFinder, lists: &Lists, diagonals: Option<&Binding>) {
+        let own = [&edges.masks, &self.touched, &lists.tally_binding, &lists.pixels];
+        let bindings: &[&Binding] = match diagonals {
+            Some(diagonals) => &[own[0], own[1], own[2], own[3], diagonals],
+            None => &own,
+        };
+        self.pass.record(recorder, bindings, Groups::Direct(self.groups));
     }
 
     pub(crate) fn bytes(&self) -> u64 {
