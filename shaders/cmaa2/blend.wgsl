@@ -14,16 +14,8 @@ const STAIR_FACTOR: f32 = 0.9;
 @group(0) @binding(2) var<storage, read> tally: array<u32>;
 @group(0) @binding(3) var<storage, read> pixels: array<u32>;
 @group(0) @binding(4) var masks: texture_2d<u32>;
-@group(0) @binding(5) var weights: texture_2d<f32>;
-@group(0) @binding(6) var counts: texture_2d<f32>;
-
-// Edges on a pixel's four sides: above, below, left, right.
-fn sides_at(size: vec2<i32>, pixel: vec2<i32>) -> vec4<f32> {
-    let own = edges_at(size, pixel);
-    let below = edges_at(size, pixel + vec2<i32>(0, 1)).y;
-    let right = edges_at(size, pixel + vec2<i32>(1, 0)).x;
-    return vec4<f32>(f32(own.y), f32(below), f32(own.x), f32(right));
-}
+@group(0) @binding(5) var row_weights: texture_2d<u32>;
+@group(0) @binding(6) var column_weights: texture_2d<u32>;
 
 // How much of each neighbour a simple shape takes: above, below, left, right.
 fn simple_shape(size: vec2<i32>, pixel: vec2<i32>, own: vec4<f32>) -> vec4<f32> {
@@ -31,10 +23,10 @@ fn simple_shape(size: vec2<i32>, pixel: vec2<i32>, own: vec4<f32>) -> vec4<f32> 
     if count < 2.0 {
         return vec4<f32>(0.0);
     }
-    let above = sides_at(size, pixel - vec2<i32>(0, 1));
-    let below = sides_at(size, pixel + vec2<i32>(0, 1));
-    let left = sides_at(size, pixel - vec2<i32>(1, 0));
-    let right = sides_at(size, pixel + vec2<i32>(1, 0));
+    let above = vec4<f32>(sides_at(size, pixel - vec2<i32>(0, 1)));
+    let below = vec4<f32>(sides_at(size, pixel + vec2<i32>(0, 1)));
+    let left = vec4<f32>(sides_at(size, pixel - vec2<i32>(1, 0)));
+    let right = vec4<f32>(sides_at(size, pixel + vec2<i32>(1, 0)));
     var taken = own;
     var blur = SIMPLE_BLUR;
     if count == 2.0 {
@@ -56,19 +48,18 @@ fn simple_shape(size: vec2<i32>, pixel: vec2<i32>, own: vec4<f32>) -> vec4<f32> 
     return blur * clamp(CROWDED_FROM - CROWDED_SHARE * around, 0.0, 1.0) * taken;
 }
 
-// Weights exist where there is an edge; elsewhere stands what an earlier picture left.
-fn stored_at(stored: texture_2d<f32>, size: vec2<i32>, pixel: vec2<i32>) -> vec4<f32> {
-    let edges = edges_at(size, pixel);
-    let found = textureLoad(stored, min(pixel, size - 1), 0);
-    return select(vec4<f32>(0.0), found, vec4<bool>(vec2<bool>(edges.yy), vec2<bool>(edges.xx)));
-}
-
-// What the Z shapes through a pixel give it, from all four sides.
-fn from_sides(stored: texture_2d<f32>, size: vec2<i32>, pixel: vec2<i32>) -> vec4<f32> {
-    let own = stored_at(stored, size, pixel);
-    let below = stored_at(stored, size, pixel + vec2<i32>(0, 1)).y;
-    let right = stored_at(stored, size, pixel + vec2<i32>(1, 0)).w;
-    return vec4<f32>(own.x, below, own.z, right);
+// What the Z shapes through a pixel give it, from above, below, left and right: weight and count in sixteen bits each. They exist
+// where there is an edge; elsewhere stands what an earlier picture left.
+fn z_shapes(size: vec2<i32>, pixel: vec2<i32>, sides: vec4<u32>) -> vec4<u32> {
+    let below = min(pixel + vec2<i32>(0, 1), size - 1);
+    let right = min(pixel + vec2<i32>(1, 0), size - 1);
+    let found = vec4<u32>(
+        textureLoad(row_weights, pixel, 0).x & 0xffffu,
+        textureLoad(row_weights, below, 0).x >> 16u,
+        textureLoad(column_weights, pixel, 0).x & 0xffffu,
+        textureLoad(column_weights, right, 0).x >> 16u,
+    );
+    return found * sides;
 }
 
 fn neighbor(pixel: vec2<i32>, otherwise: vec4<f32>) -> vec4<f32> {
@@ -83,14 +74,16 @@ fn neighbor(pixel: vec2<i32>, otherwise: vec4<f32>) -> vec4<f32> {
 fn blended(pixel: vec2<i32>) -> vec4<f32> {
     let size = picture_size();
     let loaded = textureLoad(picture, pixel, 0);
-    let simple = simple_shape(size, pixel, sides_at(size, pixel));
+    let sides = sides_at(size, pixel);
+    let simple = simple_shape(size, pixel, vec4<f32>(sides));
     let simple_weight = select(0.0, SIMPLE_WEIGHT, any(simple > vec4<f32>(0.0)));
-    let z_count = dot(from_sides(counts, size, pixel), vec4<f32>(1.0));
-    let total = simple_weight + Z_WEIGHT * z_count;
+    let z = z_shapes(size, pixel, sides);
+    let z_count = dot(z >> vec4<u32>(14u), vec4<u32>(1u));
+    let total = simple_weight + Z_WEIGHT * f32(z_count);
     if total == 0.0 {
         return passed_on(loaded);
     }
-    let w = (simple_weight * simple + Z_WEIGHT * from_sides(weights, size, pixel)) / total;
+    let w = (simple_weight * simple + Z_WEIGHT * vec4<f32>(z & vec4<u32>(0x3fffu)) / 16383.0) / total;
     let here = blendable(loaded);
     let above = neighbor(pixel - vec2<i32>(0, 1), here) - here;
     let below = neighbor(pixel + vec2<i32>(0, 1), here) - here;
@@ -102,7 +95,7 @@ fn blended(pixel: vec2<i32>) -> vec4<f32> {
 @compute @workgroup_size(64)
 fn cs_blend(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     for (var i = thread.x; i < tally[TOUCHED + 3u]; i += 64u * groups.x) {
-        let pixel = vec2<i32>(i32(pixels[i] & 0xffffu), i32(pixels[i] >> 16u));
+        let pixel = listed(pixels[i]);
         textureStore(patches, pixel, blended(pixel));
     }
 }

@@ -18,8 +18,7 @@ const ODD_LENGTH_PX: f32 = 0.22;
 @group(0) @binding(0) var masks: texture_2d<u32>;
 @group(0) @binding(1) var<storage, read> tally: array<u32>;
 @group(0) @binding(2) var<storage, read> pixels: array<u32>;
-@group(0) @binding(3) var weights: texture_storage_2d<rgba16float, write>;
-@group(0) @binding(4) var counts: texture_storage_2d<rgba16float, write>;
+@group(0) @binding(3) var weights: texture_storage_2d<r32uint, write>;
 
 // Whether there is an edge above this pixel of a line.
 fn edge_above(axis: Axis, at: i32, line: i32) -> i32 {
@@ -114,30 +113,27 @@ fn line_weights(axis: Axis, at: i32, line: i32) -> vec4<f32> {
     return sums;
 }
 
+// For this pixel in the low half, for the one above in the high: 14 bits of weight, 2 of count.
+fn packed(sums: vec4<f32>) -> u32 {
+    let weights = vec2<u32>(round(clamp(sums.xy, vec2<f32>(0.0), vec2<f32>(1.0)) * 16383.0));
+    let halves = weights | (vec2<u32>(sums.zw) << vec2<u32>(14u));
+    return halves.x | (halves.y << 16u);
+}
+
 @compute @workgroup_size(64)
-fn cs_weights(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let size = vec2<i32>(textureDimensions(weights));
-    for (var i = thread.x; i < tally[CANDIDATES + 3u]; i += 64u * groups.x) {
-        let pixel = vec2<i32>(i32(pixels[i] & 0xffffu), i32(pixels[i] >> 16u));
-        let edges = edges_at(size, pixel);
-        var lines = edges.y | (edges.x << 1u);
-        var of_row = vec4<f32>(0.0);
-        var of_column = vec4<f32>(0.0);
-        // One call serves both: pixels that a processor takes together need not have edges of the same kind.
-        while lines != 0u {
-            let by_row = (lines & 1u) == 1u;
-            var axis = along_columns(size);
-            var place = pixel.yx;
-            if by_row {
-                axis = along_rows(size);
-                place = pixel;
-            }
-            let sums = line_weights(axis, place.x, place.y);
-            of_row = select(of_row, sums, by_row);
-            of_column = select(sums, of_column, by_row);
-            lines &= lines - 1u;
-        }
-        textureStore(weights, pixel, vec4<f32>(of_row.xy, of_column.xy));
-        textureStore(counts, pixel, vec4<f32>(of_row.zw, of_column.zw));
+fn cs_rows(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let axis = along_rows(vec2<i32>(textureDimensions(weights)));
+    for (var i = thread.x; i < tally[ROWS + 3u]; i += 64u * groups.x) {
+        let pixel = listed(pixels[i]);
+        textureStore(weights, pixel, vec4<u32>(packed(line_weights(axis, pixel.x, pixel.y))));
+    }
+}
+
+@compute @workgroup_size(64)
+fn cs_columns(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let axis = along_columns(vec2<i32>(textureDimensions(weights)));
+    for (var i = thread.x; i < tally[COLUMNS + 3u]; i += 64u * groups.x) {
+        let pixel = listed(pixels[i]);
+        textureStore(weights, pixel, vec4<u32>(packed(line_weights(axis, pixel.y, pixel.x))));
     }
 }

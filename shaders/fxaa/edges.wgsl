@@ -5,7 +5,7 @@ override THRESHOLD_MIN: f32 = 0.0833;
 override LUMA_IS_GREEN: bool = false;
 
 // Luma of every pixel, to search in.
-@group(0) @binding(5) var luma: texture_storage_2d<r32float, write>;
+@group(0) @binding(6) var luma: texture_storage_2d<r32float, write>;
 
 fn luma_at(pixel: vec2<i32>) -> f32 {
     let rgb = display_at(pixel);

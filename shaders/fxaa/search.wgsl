@@ -127,8 +127,8 @@ fn shifted(pixel: vec2<i32>) -> vec4<f32> {
 
 @compute @workgroup_size(64)
 fn cs_search(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    for (var i = thread.x; i < tally[CANDIDATES + 3u]; i += 64u * groups.x) {
-        let pixel = vec2<i32>(i32(pixels[i] & 0xffffu), i32(pixels[i] >> 16u));
+    for (var i = thread.x; i < tally[ROWS + 3u]; i += 64u * groups.x) {
+        let pixel = listed(pixels[i]);
         textureStore(patches, pixel, shifted(pixel));
     }
 }

@@ -6,13 +6,21 @@ override BLEND_ALL_SIDES: bool = false;
 @group(0) @binding(2) var<storage, read> tally: array<u32>;
 @group(0) @binding(3) var<storage, read> pixels: array<u32>;
 @group(0) @binding(4) var masks: texture_2d<u32>;
-@group(0) @binding(5) var weights: texture_2d<f32>;
+@group(0) @binding(5) var row_weights: texture_2d<u32>;
+@group(0) @binding(6) var column_weights: texture_2d<u32>;
 
-// Weights exist where there is an edge; elsewhere stands what an earlier picture left.
-fn weights_at(size: vec2<i32>, pixel: vec2<i32>) -> vec4<f32> {
-    let edges = edges_at(size, pixel);
-    let found = textureLoad(weights, min(pixel, size - 1), 0);
-    return select(vec4<f32>(0.0), found, vec4<bool>(vec2<bool>(edges.yy), vec2<bool>(edges.xx)));
+// What a pixel takes from above, below, left and right. Weights exist where there is an edge; elsewhere stands what an earlier
+// picture left.
+fn taken_at(size: vec2<i32>, pixel: vec2<i32>) -> vec4<f32> {
+    let below = min(pixel + vec2<i32>(0, 1), size - 1);
+    let right = min(pixel + vec2<i32>(1, 0), size - 1);
+    let found = vec4<f32>(
+        unpack2x16unorm(textureLoad(row_weights, pixel, 0).x).x,
+        unpack2x16unorm(textureLoad(row_weights, below, 0).x).y,
+        unpack2x16unorm(textureLoad(column_weights, pixel, 0).x).x,
+        unpack2x16unorm(textureLoad(column_weights, right, 0).x).y,
+    );
+    return select(vec4<f32>(0.0), found, sides_at(size, pixel) != vec4<u32>(0u));
 }
 
 fn neighbor(pixel: vec2<i32>, otherwise: vec4<f32>) -> vec4<f32> {
@@ -27,9 +35,7 @@ fn neighbor(pixel: vec2<i32>, otherwise: vec4<f32>) -> vec4<f32> {
 fn blended(pixel: vec2<i32>) -> vec4<f32> {
     let size = picture_size();
     let loaded = textureLoad(picture, pixel, 0);
-    let own = weights_at(size, pixel);
-    // Above, below, left, right.
-    let taken = vec4<f32>(own.x, weights_at(size, pixel + vec2<i32>(0, 1)).y, own.z, weights_at(size, pixel + vec2<i32>(1, 0)).w);
+    let taken = taken_at(size, pixel);
     if all(taken == vec4<f32>(0.0)) {
         return passed_on(loaded);
     }
@@ -54,7 +60,7 @@ fn blended(pixel: vec2<i32>) -> vec4<f32> {
 @compute @workgroup_size(64)
 fn cs_blend(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     for (var i = thread.x; i < tally[TOUCHED + 3u]; i += 64u * groups.x) {
-        let pixel = vec2<i32>(i32(pixels[i] & 0xffffu), i32(pixels[i] >> 16u));
+        let pixel = listed(pixels[i]);
         textureStore(patches, pixel, blended(pixel));
     }
 }

@@ -1,4 +1,4 @@
-// Edges to bits, and the pixels that have any to a list.
+// Edges to bits, and the pixels that have any to lists.
 //
 // An edge lies between a pixel and the one to its left, or the one above. Sixteen pixels in a row share a word of `masks`: its low
 // half says which of them have an edge above (the line that is searched along), its high half which have an edge to their left
@@ -11,7 +11,7 @@
 
 // After multisampling: bits of the pixels that the resolve has smoothed, sixteen a word. Their edges are left alone.
 override SPARE_RESOLVED: bool = false;
-@group(0) @binding(4) var resolved: texture_2d<u32>;
+@group(0) @binding(5) var resolved: texture_2d<u32>;
 
 // Four pixels in a row, the first in column 4n.
 fn resolved_four(first: vec2<i32>) -> vec4<bool> {
@@ -78,7 +78,9 @@ fn cs_detect(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_i
     let row_at = vec2<u32>(2u * tile.x + thread % 2u, corner.y + row);
     if 16u * row_at.x < size.x && row_at.y < size.y {
         textureStore(masks, row_at, vec4<u32>(row_word));
-        enlist((row_word | (row_word >> 16u)) & 0xffffu, vec2<u32>(16u * row_at.x, row_at.y), CANDIDATES);
+        let first_of_word = vec2<u32>(16u * row_at.x, row_at.y);
+        enlist(row_word & 0xffffu, first_of_word, ROWS);
+        enlist_second(row_word >> 16u, first_of_word, COLUMNS);
     }
 
     // A word of a column: 32 columns of two, lines and crossings exchanged.

@@ -8,7 +8,8 @@ override DIAGONAL_REACH: i32 = 8;
 @group(0) @binding(1) var areas: texture_2d<u32>;
 @group(0) @binding(2) var<storage, read> tally: array<u32>;
 @group(0) @binding(3) var<storage, read> pixels: array<u32>;
-@group(0) @binding(4) var weights: texture_storage_2d<rgba16float, write>;
+@group(0) @binding(4) var row_weights: texture_storage_2d<r32uint, write>;
+@group(0) @binding(5) var column_weights: texture_storage_2d<r32uint, write>;
 
 // A step of a staircase at a pixel: x the edge to its left (or, where the stairs fall to the right, to its right), y the one above.
 fn step_at(size: vec2<i32>, pixel: vec2<i32>, falls_right: bool) -> vec2<u32> {
@@ -76,12 +77,13 @@ fn diagonal_weights(size: vec2<i32>, pixel: vec2<i32>) -> vec2<f32> {
 
 @compute @workgroup_size(64)
 fn cs_diagonals(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let size = vec2<i32>(textureDimensions(weights));
+    let size = vec2<i32>(textureDimensions(row_weights));
     for (var i = thread.x; i < tally[DIAGONALS + 3u]; i += 64u * groups.x) {
-        let pixel = vec2<i32>(i32(pixels[i] & 0xffffu), i32(pixels[i] >> 16u));
+        let pixel = listed(pixels[i]);
         let found = diagonal_weights(size, pixel);
         if any(found != vec2<f32>(0.0)) {
-            textureStore(weights, pixel, vec4<f32>(found, 0.0, 0.0));
+            textureStore(row_weights, pixel, vec4<u32>(pack2x16unorm(found)));
+            textureStore(column_weights, pixel, vec4<u32>(0u));
         }
     }
 }

@@ -6,7 +6,7 @@ fn reserve(count: u32, list: u32) -> u32 {
     return at;
 }
 
-// Sixteen pixels in a row to a list.
+// Sixteen pixels in a row to a list of the first buffer.
 fn enlist(which: u32, first: vec2<u32>, list: u32) {
     let count = countOneBits(which);
     if count == 0u {

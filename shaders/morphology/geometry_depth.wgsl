@@ -6,7 +6,7 @@
 // Of the nearer pixel's depth.
 override DEPTH_STEP: f32 = 0.01;
 
-@group(0) @binding(5) var depth: texture_depth_2d;
+@group(0) @binding(6) var depth: texture_depth_2d;
 
 fn depth_at(pixel: vec2<i32>) -> f32 {
     return textureLoad(depth, inside(pixel), 0);

@@ -1,6 +1,6 @@
 // Steps from one object to another.
 
-@group(0) @binding(5) var ids: texture_2d<u32>;
+@group(0) @binding(6) var ids: texture_2d<u32>;
 
 fn id_at(pixel: vec2<i32>) -> u32 {
     return textureLoad(ids, inside(pixel), 0).x;

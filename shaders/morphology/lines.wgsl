@@ -35,6 +35,14 @@ fn edges_at(size: vec2<i32>, pixel: vec2<i32>) -> vec2<u32> {
     return vec2<u32>((word >> 16u) & 1u, word & 1u);
 }
 
+// Edges on a pixel's four sides: above, below, left, right.
+fn sides_at(size: vec2<i32>, pixel: vec2<i32>) -> vec4<u32> {
+    let own = edges_at(size, pixel);
+    let below = edges_at(size, pixel + vec2<i32>(0, 1)).y;
+    let right = edges_at(size, pixel + vec2<i32>(1, 0)).x;
+    return vec4<u32>(own.y, below, own.x, right);
+}
+
 // The first pixel of the line of edges above `at`: it goes on until an edge is missing or another one crosses, on either side.
 fn line_start(axis: Axis, at: i32, line: i32, reach: i32) -> i32 {
     let nearest = at - reach;

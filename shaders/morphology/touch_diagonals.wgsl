@@ -1,7 +1,5 @@
 // As `touch.wgsl`, and which pixels a staircase may go through: on to a list of their own, for it is long work for few.
 
-@group(0) @binding(4) var<storage, read_write> diagonals: array<u32>;
-
 // Whole steps of a row of sixteen pixels and one more on either side: bit 1 is the first. x: falling left, y: falling right.
 fn steps_of(rows: Axis, at: vec2<i32>) -> vec2<u32> {
     let before = word_at(rows, at.x - 1, at.y);
@@ -25,18 +23,5 @@ fn cs_touch_diagonals(@builtin(global_invocation_id) thread: vec3<u32>) {
     let above = steps_of(rows, at - vec2<i32>(0, 1));
     let below = steps_of(rows, at + vec2<i32>(0, 1));
     let may = (above.x >> 2u) | below.x | above.y | (below.y >> 2u);
-    enlist_diagonals(word_at(rows, at.x, at.y) & may & 0xffffu, vec2<u32>(16u * thread.x, thread.y));
-}
-
-fn enlist_diagonals(which: u32, first: vec2<u32>) {
-    let count = countOneBits(which);
-    if count == 0u {
-        return;
-    }
-    let at = reserve(count, DIAGONALS);
-    var left = which;
-    for (var i = 0u; i < count; i++) {
-        diagonals[at + i] = (first.x + countTrailingZeros(left)) | (first.y << 16u);
-        left &= left - 1u;
-    }
+    enlist_second(word_at(rows, at.x, at.y) & may & 0xffffu, vec2<u32>(16u * thread.x, thread.y), DIAGONALS);
 }

@@ -1,4 +1,5 @@
-// Blending weights: how far the picture behind each edge reaches into the pixels beside it.
+// Blending weights: how far the picture behind each edge reaches into the pixels beside it. Two unorm16: what this pixel takes from
+// the one across the edge, and what that one takes from this.
 
 // Pixels that a search along a line may go, each way.
 override LINE_REACH: i32 = 32;
@@ -10,7 +11,7 @@ override CORNER_ROUNDING: f32 = 0.25;
 @group(0) @binding(1) var areas: texture_2d<u32>;
 @group(0) @binding(2) var<storage, read> tally: array<u32>;
 @group(0) @binding(3) var<storage, read> pixels: array<u32>;
-@group(0) @binding(4) var weights: texture_storage_2d<rgba16float, write>;
+@group(0) @binding(4) var weights: texture_storage_2d<r32uint, write>;
 
 // What crosses at an end of a line: 1 above it, 2 below it, 3 both.
 fn end_pattern(axis: Axis, at: i32, line: i32) -> i32 {
@@ -38,31 +39,20 @@ fn sharpened(axis: Axis, line: i32, start: i32, end: i32, distances: vec2<i32>) 
     return max(1.0 - vec2<f32>(dot(less, below), dot(less, above)), vec2<f32>(0.0));
 }
 
-fn weights_at(size: vec2<i32>, pixel: vec2<i32>) -> vec4<f32> {
-    let edges = edges_at(size, pixel);
-    var lines = edges.y | (edges.x << 1u);
-    var found = vec4<f32>(0.0);
-    // One call serves both: pixels that a processor takes together need not have edges of the same kind.
-    while lines != 0u {
-        let by_row = (lines & 1u) == 1u;
-        var axis = along_columns(size);
-        var place = pixel.yx;
-        if by_row {
-            axis = along_rows(size);
-            place = pixel;
-        }
-        let weights_of_line = line_weights(axis, place.x, place.y);
-        found = select(vec4<f32>(found.xy, weights_of_line), vec4<f32>(weights_of_line, found.zw), by_row);
-        lines &= lines - 1u;
+@compute @workgroup_size(64)
+fn cs_rows(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let axis = along_rows(vec2<i32>(textureDimensions(weights)));
+    for (var i = thread.x; i < tally[ROWS + 3u]; i += 64u * groups.x) {
+        let pixel = listed(pixels[i]);
+        textureStore(weights, pixel, vec4<u32>(pack2x16unorm(line_weights(axis, pixel.x, pixel.y))));
     }
-    return found;
 }
 
 @compute @workgroup_size(64)
-fn cs_weights(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let size = vec2<i32>(textureDimensions(weights));
-    for (var i = thread.x; i < tally[CANDIDATES + 3u]; i += 64u * groups.x) {
-        let pixel = vec2<i32>(i32(pixels[i] & 0xffffu), i32(pixels[i] >> 16u));
-        textureStore(weights, pixel, weights_at(size, pixel));
+fn cs_columns(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let axis = along_columns(vec2<i32>(textureDimensions(weights)));
+    for (var i = thread.x; i < tally[COLUMNS + 3u]; i += 64u * groups.x) {
+        let pixel = listed(pixels[i]);
+        textureStore(weights, pixel, vec4<u32>(pack2x16unorm(line_weights(axis, pixel.y, pixel.x))));
     }
 }

@@ -16,15 +16,11 @@
 //! Cost: two passes over all pixels (edges, output), three more over those near an edge.
 
 use crate::error::Result;
-use crate::pass::{
-    Binding, ComputePass, Context, Encoding, Groups, Inputs, Kind, Method, Needs, OptionSpec, Options, Pass, Recorder, Role,
-    Technique,
-};
+use crate::pass::{Context, Encoding, Inputs, Kind, Method, Needs, OptionSpec, Options, Pass, Recorder, Role, Technique};
 use crate::shader::{Source, part};
 
 use super::morphology::{
-    Blend, EdgeFinder, Lists, PatchedModules, Patches, SHARED_MODULES, SHOW, Touch, Viewer, check_size, detect, patched,
-    storage_texture, texture_bytes,
+    Blend, EdgeFinder, Lists, PatchedModules, Patches, SHARED_MODULES, SHOW, Touch, Viewer, Weights, check_size, detect, patched,
 };
 
 const DETECT: Source = detect!("cmaa2 edges", part!("morphology/strips.wgsl"), part!("cmaa2/edges.wgsl"));
@@ -108,15 +104,10 @@ impl Technique for Cmaa2 {
             [("LONGER_FACTOR", either(1.20, 1.25)), ("LONGER_OFFSET", either(0.20, 0.25)), ("DAMPENING", either(0.11, 0.15))];
         let simple =
             [("SIMPLE_BLUR", either(0.07, 0.10)), ("CROWDED_FROM", either(1.15, 1.30)), ("CROWDED_SHARE", either(0.125, 0.1))];
-        let texture = |label| storage_texture(context, label, context.size, wgpu::TextureFormat::Rgba16Float);
-        let [weights, counts] = ["weights", "counts"].map(texture);
         Ok(Box::new(Cmaa2Pass {
             lists: Lists::new(context)?,
             edges: EdgeFinder::with_module(context, &DETECT, &edges),
-            weigh: ComputePass::new(context.device, "weights", &WEIGHTS, "cs_weights", &shapes),
-            weights_bytes: texture_bytes(&weights) + texture_bytes(&counts),
-            weights: Binding::Texture(weights),
-            counts: Binding::Texture(counts),
+            weights: Weights::new(context, &WEIGHTS, &shapes),
             viewer: Viewer::new(context),
             touch: Touch::new(context),
             patches: Patches::new(context, self.blend, ("blend", &BLEND, "cs_blend"), &simple),
@@ -128,23 +119,20 @@ impl Technique for Cmaa2 {
 struct Cmaa2Pass {
     lists: Lists,
     edges: EdgeFinder,
-    weigh: ComputePass,
-    weights: Binding,
-    counts: Binding,
-    weights_bytes: u64,
-    viewer: Viewer,
+    weights: Weights,
     touch: Touch,
     patches: Patches,
+    viewer: Viewer,
 }
 
 impl Pass for Cmaa2Pass {
     fn record(&mut self, recorder: &mut Recorder<'_>, _: u32, inputs: &Inputs<'_>, output: &wgpu::TextureView) {
-        self.edges.record(recorder, &self.lists, inputs, None);
-        let bindings = [&self.edges.masks, &self.lists.tally_binding, &self.lists.pixels, &self.weights, &self.counts];
-        self.weigh.record(recorder, &bindings, Groups::Indirect(&self.lists.tally, Lists::CANDIDATES));
-        self.touch.record(recorder, &self.edges, &self.lists, None);
-        let own = [&self.edges.masks, &self.weights, &self.counts];
-        self.patches.record(recorder, (&self.lists, Lists::TOUCHED), (&own, &self.touch.touched), inputs, output);
+        let Self { lists, edges, weights, touch, patches, .. } = self;
+        edges.record(recorder, lists, inputs, None);
+        weights.record(recorder, &edges.masks, None, lists);
+        touch.record(recorder, edges, lists);
+        let own = [&edges.masks, &weights.rows, &weights.columns];
+        patches.record(recorder, (lists, Lists::TOUCHED), (&own, &touch.touched), inputs, output);
     }
 
     fn views(&self) -> &'static [&'static str] {
@@ -152,10 +140,10 @@ impl Pass for Cmaa2Pass {
     }
 
     fn view(&mut self, recorder: &mut Recorder<'_>, name: &str) -> Option<wgpu::TextureView> {
-        self.viewer.show(recorder, name, &self.edges.masks, Some(&self.weights))
+        self.viewer.show(recorder, name, &self.edges.masks, Some((&self.weights, 14)))
     }
 
     fn target_bytes(&self) -> u64 {
-        self.lists.bytes() + self.edges.bytes() + self.weights_bytes + self.touch.bytes() + self.patches.bytes()
+        self.lists.bytes() + self.edges.bytes() + self.weights.bytes() + self.touch.bytes() + self.patches.bytes()
     }
 }

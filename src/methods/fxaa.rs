@@ -149,7 +149,7 @@ impl Technique for Fxaa {
         ];
         let luma = storage_texture(context, "luma", context.size, wgpu::TextureFormat::R32Float);
         Ok(Box::new(FxaaPass {
-            lists: Lists::new(context)?,
+            lists: Lists::single(context)?,
             contrast: EdgeFinder::with_module(context, &DETECT, &self.detection),
             luma: Binding::Texture(luma.clone()),
             luma_view: luma,
@@ -174,7 +174,7 @@ impl Pass for FxaaPass {
         self.contrast.record(recorder, &self.lists, inputs, Some(&self.luma));
         // The masks' words of rows say which pixels have work: those are the ones that change.
         let own = (&[&self.luma][..], &self.contrast.masks);
-        self.patches.record(recorder, (&self.lists, Lists::CANDIDATES), own, inputs, output);
+        self.patches.record(recorder, (&self.lists, Lists::ROWS), own, inputs, output);
     }
 
     fn views(&self) -> &'static [&'static str] {

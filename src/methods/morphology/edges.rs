@@ -79,6 +79,7 @@ macro_rules! detect {
                 $crate::shader::part!("morphology/edges.wgsl"),
                 $($part,)*
                 $crate::shader::part!("morphology/enlist.wgsl"),
+                $crate::shader::part!("morphology/enlist_second.wgsl"),
                 $crate::shader::part!("morphology/detect.wgsl"),
             ],
         }
@@ -178,7 +179,7 @@ impl EdgeFinder {
         Self { geometry: None, resolved, detect, masks: Binding::Texture(masks_view.clone()), masks_view, groups }
     }
 
-    /// Records the search for edges in a picture. `beside` is what the module reads or writes at binding 5, if that is no geometry.
+    /// Records the search for edges in a picture. `beside` is what the module reads or writes at binding 6, if that is no geometry.
     pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, lists: &Lists, inputs: &Inputs<'_>, beside: Option<&Binding>) {
         recorder.clocked("clear lists", |encoder| lists.clear(encoder));
         self.resolved.record(recorder, inputs);
@@ -189,9 +190,10 @@ impl EdgeFinder {
             None => None,
         };
         let geometry = geometry.map(|view| Binding::Texture(view.clone()));
-        let own = [&color, &self.masks, &lists.tally_binding, &lists.pixels, &self.resolved.bits];
+        let (tally, pixels) = (&lists.tally_binding, &lists.pixels);
+        let own = [&color, &self.masks, tally, pixels, &lists.second_pixels, &self.resolved.bits];
         let bindings: &[&Binding] = match geometry.as_ref().or(beside) {
-            Some(beside) => &[own[0], own[1], own[2], own[3], own[4], beside],
+            Some(beside) => &[own[0], own[1], own[2], own[3], own[4], own[5], beside],
             None => &own,
         };
         self.detect.record(recorder, bindings, Groups::Direct(self.groups));

@@ -2,7 +2,7 @@
 
 use super::patch::{PatchedModules, Patches, Touch, patched};
 use super::show::Viewer;
-use super::{AreaTable, Blend, EdgeFinder, EdgeRule, Lists, check_size, storage_texture, texture_bytes};
+use super::{AreaTable, Blend, EdgeFinder, EdgeRule, Lists, Weights, check_size};
 use crate::error::Result;
 use crate::pass::{Binding, ComputePass, Context, Groups, Inputs, Pass, Recorder};
 use crate::shader::{Source, part};
@@ -85,20 +85,16 @@ impl LineRules {
         check_size(context)?;
         let constants = [("LINE_REACH", f64::from(self.line_reach_px)), ("CORNER_ROUNDING", self.corner_rounding)];
         let all_sides = ("BLEND_ALL_SIDES", f64::from(u8::from(self.sides == BlendSides::All)));
-        let weights_view = storage_texture(context, "weights", context.size, wgpu::TextureFormat::Rgba16Float);
         let reach = [("DIAGONAL_REACH", f64::from(self.diagonal_reach_px))];
         let diagonals = (self.diagonal_reach_px > 0).then(|| Diagonals {
             weigh: ComputePass::new(context.device, "diagonals", &DIAGONALS, "cs_diagonals", &reach),
             areas: Binding::Texture(areas.diagonals.upload(context)),
-            pixels: Lists::room(context),
         });
         Ok(LineFilter {
             lists: Lists::new(context)?,
             edges: EdgeFinder::new(context, &self.edges),
-            weigh: ComputePass::new(context.device, "weights", &WEIGHTS, "cs_weights", &constants),
+            weights: Weights::new(context, &WEIGHTS, &constants),
             areas: Binding::Texture(areas.lines.upload(context)),
-            weights: Binding::Texture(weights_view.clone()),
-            weights_view,
             viewer: Viewer::new(context),
             touch: if diagonals.is_some() { Touch::with_diagonals(context) } else { Touch::new(context) },
             diagonals,
@@ -112,38 +108,33 @@ impl LineRules {
 struct Diagonals {
     weigh: ComputePass,
     areas: Binding,
-    /// Pixels that one may go through.
-    pixels: Binding,
 }
 
 #[derive(Debug)]
 pub(crate) struct LineFilter {
     lists: Lists,
     edges: EdgeFinder,
-    weigh: ComputePass,
     areas: Binding,
+    weights: Weights,
     diagonals: Option<Diagonals>,
-    weights: Binding,
-    weights_view: wgpu::TextureView,
-    viewer: Viewer,
     touch: Touch,
     patches: Patches,
+    viewer: Viewer,
 }
 
 impl Pass for LineFilter {
     fn record(&mut self, recorder: &mut Recorder<'_>, _: u32, inputs: &Inputs<'_>, output: &wgpu::TextureView) {
-        self.edges.record(recorder, &self.lists, inputs, None);
-        let (tally, pixels) = (&self.lists.tally_binding, &self.lists.pixels);
-        let bindings = [&self.edges.masks, &self.areas, tally, pixels, &self.weights];
-        self.weigh.record(recorder, &bindings, Groups::Indirect(&self.lists.tally, Lists::CANDIDATES));
-        let list = self.diagonals.as_ref().map(|diagonals| &diagonals.pixels);
-        self.touch.record(recorder, &self.edges, &self.lists, list);
-        if let Some(Diagonals { weigh, areas, pixels }) = &mut self.diagonals {
-            let bindings = [&self.edges.masks, areas, &self.lists.tally_binding, pixels, &self.weights];
-            weigh.record(recorder, &bindings, Groups::Indirect(&self.lists.tally, Lists::DIAGONALS));
+        let Self { lists, edges, areas, weights, diagonals, touch, patches, .. } = self;
+        edges.record(recorder, lists, inputs, None);
+        weights.record(recorder, &edges.masks, Some(areas), lists);
+        touch.record(recorder, edges, lists);
+        if let Some(Diagonals { weigh, areas }) = diagonals {
+            let (tally, pixels) = (&lists.tally_binding, &lists.second_pixels);
+            let bindings = [&edges.masks, areas, tally, pixels, &weights.rows, &weights.columns];
+            weigh.record(recorder, &bindings, Groups::Indirect(&lists.tally, Lists::DIAGONALS));
         }
-        let own = [&self.edges.masks, &self.weights];
-        self.patches.record(recorder, (&self.lists, Lists::TOUCHED), (&own, &self.touch.touched), inputs, output);
+        let own = [&edges.masks, &weights.rows, &weights.columns];
+        patches.record(recorder, (lists, Lists::TOUCHED), (&own, &touch.touched), inputs, output);
     }
 
     fn views(&self) -> &'static [&'static str] {
@@ -151,11 +142,10 @@ impl Pass for LineFilter {
     }
 
     fn view(&mut self, recorder: &mut Recorder<'_>, name: &str) -> Option<wgpu::TextureView> {
-        self.viewer.show(recorder, name, &self.edges.masks, Some(&self.weights))
+        self.viewer.show(recorder, name, &self.edges.masks, Some((&self.weights, 16)))
     }
 
     fn target_bytes(&self) -> u64 {
-        let lists = self.lists.bytes() * if self.diagonals.is_some() { 2 } else { 1 };
-        lists + self.edges.bytes() + texture_bytes(&self.weights_view) + self.touch.bytes() + self.patches.bytes()
+        self.lists.bytes() + self.edges.bytes() + self.weights.bytes() + self.touch.bytes() + self.patches.bytes()
     }
 }

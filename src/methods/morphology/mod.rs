@@ -21,7 +21,7 @@ pub(super) use patch::{PatchedModules, Patches, SHARED_MODULES, Touch, patched};
 pub(super) use show::{SHOW, Viewer};
 
 use crate::error::{Error, Result};
-use crate::pass::{Binding, Context, Encoding, Kind, OptionSpec, Surface};
+use crate::pass::{Binding, ComputePass, Context, Encoding, Groups, Kind, OptionSpec, Recorder, Surface};
 use crate::shader::Source;
 
 /// Every module that [`LineRules`] may compile.
@@ -97,22 +97,34 @@ pub(super) fn texture_bytes(view: &wgpu::TextureView) -> u64 {
 pub(super) struct Lists {
     pub(super) tally: wgpu::Buffer,
     pub(super) tally_binding: Binding,
+    /// Of pixels with an edge above; after them, of all that may change.
     pub(super) pixels: Binding,
+    /// Of pixels with an edge to their left; after them, of those that a staircase may go through.
+    pub(super) second_pixels: Binding,
     empty: wgpu::Buffer,
     bytes: u64,
 }
 
 impl Lists {
-    const WORDS: u64 = 12;
-    /// Where the dispatch over pixels with edges begins in `tally`, in bytes.
-    pub(super) const CANDIDATES: u64 = 0;
-    /// And the one over pixels that may change.
-    pub(super) const TOUCHED: u64 = 16;
-    /// And the one over pixels that a staircase may go through.
-    pub(super) const DIAGONALS: u64 = 32;
+    const WORDS: u64 = 16;
+    /// Where the dispatches over the lists begin in `tally`, in bytes.
+    pub(super) const ROWS: u64 = 0;
+    pub(super) const COLUMNS: u64 = 16;
+    pub(super) const TOUCHED: u64 = 32;
+    pub(super) const DIAGONALS: u64 = 48;
 
     /// With room for every pixel.
     pub(super) fn new(context: &Context<'_>) -> Result<Self> {
+        let [width, height] = context.size;
+        Self::with_second(context, 4 * u64::from(width) * u64::from(height))
+    }
+
+    /// For a method whose second list stays empty.
+    pub(super) fn single(context: &Context<'_>) -> Result<Self> {
+        Self::with_second(context, 4)
+    }
+
+    fn with_second(context: &Context<'_>, second_bytes: u64) -> Result<Self> {
         use wgpu::util::DeviceExt as _;
         let [width, height] = context.size;
         let bytes = 4 * u64::from(width) * u64::from(height);
@@ -122,35 +134,74 @@ impl Lists {
                 "a list of {width}x{height} pixels takes {bytes} bytes, more than this device binds; choose a smaller size"
             )));
         }
-        let tally = context.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("tally"),
-            size: 4 * Self::WORDS,
-            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
+        let buffer = |label, size, usage| {
+            context.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+        };
+        let storage = wgpu::BufferUsages::STORAGE;
+        let tally = buffer("tally", 4 * Self::WORDS, storage | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_DST);
         let empty = context.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("empty tally"),
-            contents: bytemuck::cast_slice(&[0_u32, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0]),
+            contents: bytemuck::cast_slice(&[[0_u32, 1, 1, 0]; 4]),
             usage: wgpu::BufferUsages::COPY_SRC,
         });
-        let pixels = Self::room(context);
-        Ok(Self { tally_binding: Binding::Buffer(tally.clone()), tally, pixels, empty, bytes })
-    }
-
-    /// A list's own buffer, with room for every pixel.
-    pub(super) fn room(context: &Context<'_>) -> Binding {
-        let [width, height] = context.size;
-        Binding::Buffer(context.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("pixel list"),
-            size: 4 * u64::from(width) * u64::from(height),
-            usage: wgpu::BufferUsages::STORAGE,
-            mapped_at_creation: false,
-        }))
+        Ok(Self {
+            tally_binding: Binding::Buffer(tally.clone()),
+            tally,
+            pixels: Binding::Buffer(buffer("pixel list", bytes, storage)),
+            second_pixels: Binding::Buffer(buffer("second pixel list", second_bytes, storage)),
+            empty,
+            bytes: bytes + second_bytes,
+        })
     }
 
     /// Records that all lists are empty.
     pub(super) fn clear(&self, encoder: &mut wgpu::CommandEncoder) {
         encoder.copy_buffer_to_buffer(&self.empty, 0, &self.tally, 0, 4 * Self::WORDS);
+    }
+
+    pub(super) fn bytes(&self) -> u64 {
+        self.bytes
+    }
+}
+
+/// Weights of every pixel's edges, those along rows and those along columns, and what computes them.
+#[derive(Debug)]
+pub(super) struct Weights {
+    by_row: ComputePass,
+    by_column: ComputePass,
+    pub(super) rows: Binding,
+    pub(super) columns: Binding,
+    bytes: u64,
+}
+
+impl Weights {
+    /// The module has the entry points `cs_rows` and `cs_columns`, and its last binding is what it writes.
+    pub(super) fn new(context: &Context<'_>, module: &Source, constants: &[(&str, f64)]) -> Self {
+        let texture = |label| storage_texture(context, label, context.size, wgpu::TextureFormat::R32Uint);
+        let pass = |label, entry_point| ComputePass::new(context.device, label, module, entry_point, constants);
+        let (rows, columns) = (texture("row weights"), texture("column weights"));
+        Self {
+            by_row: pass("row weights", "cs_rows"),
+            by_column: pass("column weights", "cs_columns"),
+            bytes: texture_bytes(&rows) + texture_bytes(&columns),
+            rows: Binding::Texture(rows),
+            columns: Binding::Texture(columns),
+        }
+    }
+
+    /// `areas` stands between masks and lists, if the module reads any.
+    pub(super) fn record(&mut self, recorder: &mut Recorder<'_>, masks: &Binding, areas: Option<&Binding>, lists: &Lists) {
+        let halves = [
+            (&mut self.by_row, &lists.pixels, &self.rows, Lists::ROWS),
+            (&mut self.by_column, &lists.second_pixels, &self.columns, Lists::COLUMNS),
+        ];
+        for (pass, pixels, weights, list) in halves {
+            let groups = Groups::Indirect(&lists.tally, list);
+            match areas {
+                Some(areas) => pass.record(recorder, &[masks, areas, &lists.tally_binding, pixels, weights], groups),
+                None => pass.record(recorder, &[masks, &lists.tally_binding, pixels, weights], groups),
+            }
+        }
     }
 
     pub(super) fn bytes(&self) -> u64 {

@@ -22,6 +22,7 @@ pub(crate) const TOUCH_DIAGONALS: Source = Source {
         part!("morphology/list.wgsl"),
         part!("morphology/lines.wgsl"),
         part!("morphology/enlist.wgsl"),
+        part!("morphology/enlist_second.wgsl"),
         part!("morphology/touch.wgsl"),
         part!("morphology/touch_diagonals.wgsl"),
     ],
@@ -71,6 +72,7 @@ fn patch_format(output: Surface) -> usize {
 /// Lists the pixels that may change: those with an edge on any side.
 #[derive(Debug)]
 pub(crate) struct Touch {
+    diagonals: bool,
     pass: ComputePass,
     /// A bit for each of them.
     pub(crate) touched: Binding,
@@ -80,28 +82,30 @@ pub(crate) struct Touch {
 
 impl Touch {
     pub(crate) fn new(context: &Context<'_>) -> Self {
-        Self::with_pass(context, ComputePass::new(context.device, "touch", &TOUCH, "cs_touch", &[]))
+        Self::with_pass(context, false, ComputePass::new(context.device, "touch", &TOUCH, "cs_touch", &[]))
     }
 
     /// Lists the pixels that a staircase may go through as well.
     pub(crate) fn with_diagonals(context: &Context<'_>) -> Self {
-        Self::with_pass(context, ComputePass::new(context.device, "touch", &TOUCH_DIAGONALS, "cs_touch_diagonals", &[]))
+        Self::with_pass(context, true, ComputePass::new(context.device, "touch", &TOUCH_DIAGONALS, "cs_touch_diagonals", &[]))
     }
 
-    fn with_pass(context: &Context<'_>, pass: ComputePass) -> Self {
+    fn with_pass(context: &Context<'_>, diagonals: bool, pass: ComputePass) -> Self {
         let [width, height] = context.size;
         let words = width.div_ceil(16);
         let touched = storage_texture(context, "touched pixels", [words, height], wgpu::TextureFormat::R32Uint);
-        Self { pass, groups: [words.div_ceil(64), height], bytes: texture_bytes(&touched), touched: Binding::Texture(touched) }
+        Self {
+            diagonals,
+            pass,
+            groups: [words.div_ceil(64), height],
+            bytes: texture_bytes(&touched),
+            touched: Binding::Texture(touched),
+        }
     }
 
-    /// `diagonals` takes the second list, if there is one.
-    pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, edges: &EdgeFinder, lists: &Lists, diagonals: Option<&Binding>) {
-        let own = [&edges.masks, &self.touched, &lists.tally_binding, &lists.pixels];
-        let bindings: &[&Binding] = match diagonals {
-            Some(diagonals) => &[own[0], own[1], own[2], own[3], diagonals],
-            None => &own,
-        };
+    pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, edges: &EdgeFinder, lists: &Lists) {
+        let all = [&edges.masks, &self.touched, &lists.tally_binding, &lists.pixels, &lists.second_pixels];
+        let bindings = if self.diagonals { &all[..] } else { &all[..4] };
         self.pass.record(recorder, bindings, Groups::Direct(self.groups));
     }
 

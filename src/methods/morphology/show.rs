@@ -1,5 +1,6 @@
 //! Edges and weights as pictures to look at; nothing of it exists until it is asked for.
 
+use super::Weights;
 use crate::pass::{Binding, Context, Recorder, ScreenPass};
 use crate::shader::{Source, part};
 
@@ -29,18 +30,19 @@ impl Viewer {
         Self { device: context.device.clone(), size: context.size }
     }
 
-    /// One of the two views; none for another name, or for weights where there are none.
+    /// One of the two views; none for another name, or for weights where there are none. With them, the bits of each.
     pub(crate) fn show(
         &self,
         recorder: &mut Recorder<'_>,
         name: &str,
         masks: &Binding,
-        weights: Option<&Binding>,
+        weights: Option<(&Weights, u32)>,
     ) -> Option<wgpu::TextureView> {
         match (name, weights) {
-            (Self::EDGES, _) => Some(self.draw(recorder, "fs_edges", &[masks], wgpu::TextureFormat::Rgba8Unorm)),
-            (Self::WEIGHTS, Some(weights)) => {
-                Some(self.draw(recorder, "fs_weights", &[masks, weights], wgpu::TextureFormat::Rgba16Float))
+            (Self::EDGES, _) => Some(self.draw(recorder, ("fs_edges", 16), &[masks], wgpu::TextureFormat::Rgba8Unorm)),
+            (Self::WEIGHTS, Some((weights, bits))) => {
+                let bindings = [masks, &weights.rows, &weights.columns];
+                Some(self.draw(recorder, ("fs_weights", bits), &bindings, wgpu::TextureFormat::Rgba16Float))
             }
             _ => None,
         }
@@ -49,7 +51,7 @@ impl Viewer {
     fn draw(
         &self,
         recorder: &mut Recorder<'_>,
-        fragment: &str,
+        (fragment, weight_bits): (&str, u32),
         bindings: &[&Binding],
         format: wgpu::TextureFormat,
     ) -> wgpu::TextureView {
@@ -65,7 +67,8 @@ impl Viewer {
             view_formats: &[],
         });
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let constants = [("WIDTH", f64::from(width)), ("HEIGHT", f64::from(height))];
+        let constants =
+            [("WIDTH", width), ("HEIGHT", height), ("WEIGHT_BITS", weight_bits)].map(|(name, v)| (name, f64::from(v)));
         ScreenPass::new(&self.device, "view", &SHOW, fragment, &constants, format).record(recorder, bindings, &view);
         view
     }

@@ -1,6 +1,6 @@
 //! The same picture gives the same bits, whatever came before; and a filtered picture needs little more filtering.
 
-use super::picture::{checkerboard, confetti, hard, noise, star};
+use super::picture::{checkerboard, confetti, hard, noise};
 use super::{Filter, eight_bit, half_float, specs};
 use crate::common;
 
@@ -13,9 +13,9 @@ fn the_same_picture_gives_the_same_bits() {
         // Lists are filled in an order that nobody promises: noise fills them most.
         let mut filter = Filter::new(&gpu, &spec, SIZE, half_float());
         let mut another = Filter::new(&gpu, &spec, SIZE, half_float());
-        for picture in [noise(SIZE, 4), checkerboard(SIZE)] {
+        for (picture, runs) in [(noise(SIZE, 4), 5), (checkerboard(SIZE), 1)] {
             let first = another.apply(&picture);
-            for run in 0..5 {
+            for run in 0..runs {
                 assert!(filter.apply(&picture).same_bits(&first), "{}: run {run} differs", filter.name);
             }
         }
@@ -26,7 +26,7 @@ fn the_same_picture_gives_the_same_bits() {
 fn nothing_is_left_of_the_picture_before() {
     let gpu = common::gpu();
     let size = [61, 47];
-    let pictures = [star(size), noise(size, 1), confetti(size, 8), checkerboard(size)];
+    let pictures = [noise(size, 1), confetti(size, 8), checkerboard(size)];
     for spec in specs() {
         let fresh = pictures.each_ref().map(|picture| Filter::new(&gpu, &spec, size, eight_bit()).apply(picture));
         let mut filter = Filter::new(&gpu, &spec, size, eight_bit());
