@@ -32,7 +32,12 @@ fn display_at(pixel: vec2<i32>) -> vec3<f32> {
 }
 
 // A loaded pixel in the space that colours are mixed in, and back to what a store takes. Alpha is never coded.
-fn blendable(loaded: vec4<f32>) -> vec4<f32> {
+fn blendable(input: vec4<f32>) -> vec4<f32> {
+    var loaded = input;
+    if INPUT_IS_FLOAT {
+        // Whose power and differences are still numbers.
+        loaded = clamp(input, vec4<f32>(-1e15), vec4<f32>(1e15));
+    }
     if INPUT_IS_LINEAR && !BLEND_IN_LINEAR {
         return vec4<f32>(srgb_coded(loaded.rgb), loaded.a);
     }

@@ -8,8 +8,9 @@
 //! of compressed to 16 steps, and in 16 bits. Nothing beyond the picture's border is repeated. Colours are mixed in linear light
 //! unless told otherwise.
 //!
-//! As published, it is not symmetric in two places: contrast adaptation looks beyond an edge on one side only, and staircases are
-//! looked for from edges above pixels only.
+//! As published, it is not symmetric in three places: contrast adaptation looks beyond an edge on one side only, staircases are
+//! looked for from edges above pixels only, and where both axes weigh the same it is blended up and down. On a star of spokes that
+//! shows in 1.2% of the pixels, on white noise in 41% (`tests/workbench/filters/symmetry`).
 //!
 //! Cost: two passes over all pixels (edges, output), three more over those near an edge.
 

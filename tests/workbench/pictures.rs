@@ -125,7 +125,7 @@ fn sizes_down_to_one_pixel_and_up_to_odd_ones() {
     for size in [[1, 1], [3, 5], [257, 3], [1, 100]] {
         for method in METHODS {
             let spec = if method.name == "ssaa" { "ssaa:spp=3" } else { method.name };
-            let picture = linear(&gpu, &scene, spec, size);
+            let picture = capture(&gpu, &scene, spec, size).display;
             assert_eq!(picture.size(), size, "{spec}");
             assert_eq!(picture.non_finite(), None, "{spec} {size:?}");
         }

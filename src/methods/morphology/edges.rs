@@ -221,8 +221,9 @@ impl Resolved {
         let size = if multisampled { [words, height] } else { [1, 1] };
         // Made as zeroes: no pixel is spared unless a resolve is looked at.
         let bits = storage_texture(context, "resolved pixels", size, wgpu::TextureFormat::R32Uint);
+        let samples = [("SAMPLES", f64::from(context.input_samples))];
         Self {
-            find: multisampled.then(|| ComputePass::new(context.device, "resolved pixels", &RESOLVED, "cs_resolved", &[])),
+            find: multisampled.then(|| ComputePass::new(context.device, "resolved pixels", &RESOLVED, "cs_resolved", &samples)),
             groups: [words.div_ceil(64), height],
             bytes: texture_bytes(&bits),
             bits: Binding::Texture(bits),

@@ -99,11 +99,14 @@ fn views_of_a_mip_and_a_layer_are_pictures() {
 #[test]
 fn after_a_resize_pictures_are_as_if_never_resized() {
     for method in filters() {
-        let sizes = [SIZE, [40, 50], [1, 1], SIZE];
+        let sizes = [SIZE, [1, 1], [40, 50], SIZE];
         let host = Host::open();
         let resized = sizes.map(|size| alone(&host, method, size, &shapes(size)));
-        let fresh = sizes.map(|size| alone(&Host::open(), method, size, &shapes(size)));
-        assert!(resized == fresh, "{method}");
+        for which in [1, 2] {
+            let fresh = alone(&Host::open(), method, sizes[which], &shapes(sizes[which]));
+            assert!(resized[which] == fresh, "{method} at {:?}", sizes[which]);
+        }
+        assert!(resized[3] == resized[0], "{method}");
     }
 }
 

@@ -12,9 +12,8 @@ fn reach_px(spec: &str) -> u32 {
     match spec {
         // Steps of a search come to 26.5 at most.
         "fxaa" | "fxaa:preset=ultra" => 30,
-        "mlaa" => 64 + 4,
+        "mlaa" | "smaa:preset=ultra" => 64 + 4,
         "smaa" => 2 * 16 + 4,
-        "smaa:preset=ultra" => 2 * 32 + 4,
         // A Z's one half is 109 px long at most, and blends half of itself; the other is followed for 86.
         "cmaa2" | "cmaa2:preset=ultra" => 55 + 86 + 4,
         other => panic!("say how far {other} reaches"),

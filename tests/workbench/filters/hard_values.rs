@@ -65,7 +65,7 @@ fn bad_pixels_do_not_spread() {
     for spec in specs() {
         for surface in [half_float(), float(), linear_light()] {
             let mut filter = Filter::new(&gpu, &spec, SIZE, surface);
-            for picture in [&flat, &star(SIZE), &confetti(SIZE, 3)] {
+            for picture in [&flat, &confetti(SIZE, 3)] {
                 for bad in BAD {
                     for channels in [&[0, 1, 2, 3][..], &[0], &[3]] {
                         let expected = filter.apply(&with_stand_ins(picture, bad, channels));
