@@ -162,6 +162,12 @@ impl Technique for Msaa {
             target: Target::Input,
         };
         let Some(footprint) = &self.footprint else {
+            if context.input.format != context.output.format {
+                return Err(Error::Unsupported(format!(
+                    "the hardware resolves {:?} to the same format only, not to {:?}; choose a resolve with a radius",
+                    context.input.format, context.output.format
+                )));
+            }
             return Ok(Box::new(HardwareResolve { draw }));
         };
         let buffer = |label, contents, usage| {

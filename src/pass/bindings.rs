@@ -16,12 +16,14 @@ impl Binding {
     }
 }
 
-/// The bind group of the resources that were given last.
+/// Bind groups of the resources that were given last: pictures that come in by turns need none made anew.
 #[derive(Debug, Default)]
-pub(super) struct Bound(Option<(Vec<Binding>, wgpu::BindGroup)>);
+pub(super) struct Bound(Vec<(Vec<Binding>, wgpu::BindGroup)>);
 
 impl Bound {
-    /// The group of these resources; made anew only when they change.
+    const MOST: usize = 4;
+
+    /// The group of these resources, the latest first; made anew only for others than the last few.
     pub(super) fn group(
         &mut self,
         device: &wgpu::Device,
@@ -29,14 +31,19 @@ impl Bound {
         layout: impl FnOnce() -> wgpu::BindGroupLayout,
         bindings: &[&Binding],
     ) -> Option<&wgpu::BindGroup> {
-        let same = |bound: &[Binding]| bound.iter().eq(bindings.iter().copied());
-        if self.0.as_ref().is_none_or(|(bound, _)| !same(bound)) {
-            let entries: Vec<_> =
-                bindings.iter().zip(0..).map(|(b, binding)| wgpu::BindGroupEntry { binding, resource: b.resource() }).collect();
-            let group =
-                device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout: &layout(), entries: &entries });
-            self.0 = Some((bindings.iter().map(|b| (*b).clone()).collect(), group));
+        match self.0.iter().position(|(bound, _)| bound.iter().eq(bindings.iter().copied())) {
+            Some(index) => self.0.swap(0, index),
+            None => {
+                let entries: Vec<_> = bindings
+                    .iter()
+                    .zip(0..)
+                    .map(|(b, binding)| wgpu::BindGroupEntry { binding, resource: b.resource() })
+                    .collect();
+                let descriptor = wgpu::BindGroupDescriptor { label: Some(label), layout: &layout(), entries: &entries };
+                self.0.truncate(Self::MOST - 1);
+                self.0.insert(0, (bindings.iter().map(|b| (*b).clone()).collect(), device.create_bind_group(&descriptor)));
+            }
         }
-        self.0.as_ref().map(|(_, group)| group)
+        self.0.first().map(|(_, group)| group)
     }
 }

@@ -138,6 +138,9 @@ fn another_input_takes_other_bind_groups_and_no_more() {
         assert!(found.iter().all(|kind| ["BindGroup", "BindGroupLayout"].contains(kind)), "{method}: {found:?}");
         // So this test sees what the one above would miss if it looked at nothing.
         assert!(found.contains(&"BindGroup"), "{method}");
+        // Pictures by turns need nothing new.
+        let found = made(&host, || host.run(pass.as_mut(), &inputs[0], &output));
+        assert_eq!(found, Vec::<&str>::new(), "{method}");
     }
 }
 

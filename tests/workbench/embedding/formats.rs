@@ -92,7 +92,7 @@ fn every_pair(method: &str) {
     assert!(color > 0.1 && alpha > 0.05, "{method} changes the picture and its alpha: {color} {alpha}");
     // FXAA ends a search at a quarter of the edge's step, which on two flat colours is just what it meets half way between two
     // pixels: there the last bits of a luma decide, here at up to 33 pixels of 2135.
-    let ties = if method == "fxaa" { 40 } else { 0 };
+    let ties = if method == "fxaa" { 2 } else { 0 };
     let mut worst = 0.0_f32;
     for [input, output] in pairs() {
         let found = differences(&filtered(&host, method, [input, output]), &exact, ties);

@@ -130,3 +130,20 @@ fn passes_of_other_options_live_beside_each_other() {
         assert!(first != second, "{} makes no difference", options[1]);
     }
 }
+
+/// A software adapter writes into a copy of the picture where it may; the picture is the same either way.
+#[test]
+fn textures_that_may_be_copied_give_the_same_picture() {
+    let host = Host::open();
+    for method in filters() {
+        for format in [wgpu::TextureFormat::Rgba8Unorm, wgpu::TextureFormat::Rgba16Float, wgpu::TextureFormat::Rgba32Float] {
+            let surface = Surface::display(format);
+            let mut pass = host.build(method, SIZE, [surface; 2]);
+            let [color, output] = host.copyable(SIZE, format, &shapes(SIZE));
+            host.run(pass.as_mut(), &color, &output);
+            let plain = host.target(SIZE, format);
+            host.run(pass.as_mut(), &host.picture(SIZE, format, &shapes(SIZE)), &plain);
+            assert!(host.bytes(&output) == host.bytes(&plain), "{method} {format:?}");
+        }
+    }
+}

@@ -67,6 +67,15 @@ impl Host {
         texture.create_view(&wgpu::TextureViewDescriptor::default())
     }
 
+    /// A picture to read and one to write, with the usages that let a software adapter copy one and write into the copy.
+    pub(super) fn copyable(&self, size: [u32; 2], format: TextureFormat, pixels: &[Pixel]) -> [wgpu::TextureView; 2] {
+        let read = Usages::TEXTURE_BINDING | Usages::COPY_DST | Usages::COPY_SRC;
+        let written = Usages::RENDER_ATTACHMENT | Usages::COPY_SRC | Usages::COPY_DST | Usages::STORAGE_BINDING;
+        let [color, output] = [read, written].map(|usage| self.texture(size, format, usage));
+        self.write(color.as_image_copy(), size, &encode_texels(format, pixels).expect("a picture's format"));
+        [color, output].map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()))
+    }
+
     fn texture(&self, [width, height]: [u32; 2], format: TextureFormat, usage: Usages) -> wgpu::Texture {
         self.device.create_texture(&wgpu::TextureDescriptor {
             label: None,
