@@ -23,15 +23,6 @@ fn taken_at(size: vec2<i32>, pixel: vec2<i32>) -> vec4<f32> {
     return select(vec4<f32>(0.0), found, sides_at(size, pixel) != vec4<u32>(0u));
 }
 
-fn neighbor(pixel: vec2<i32>, otherwise: vec4<f32>) -> vec4<f32> {
-    let loaded = textureLoad(picture, inside(pixel), 0);
-    // A pixel that is no number is no neighbour.
-    if INPUT_IS_FLOAT && !(is_finite(loaded.rgb) && is_finite(loaded.aaa)) {
-        return otherwise;
-    }
-    return blendable(loaded);
-}
-
 fn blended(pixel: vec2<i32>) -> vec4<f32> {
     let size = picture_size();
     let loaded = textureLoad(picture, pixel, 0);

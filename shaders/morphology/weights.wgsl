@@ -39,20 +39,6 @@ fn sharpened(axis: Axis, line: i32, start: i32, end: i32, distances: vec2<i32>) 
     return max(1.0 - vec2<f32>(dot(less, below), dot(less, above)), vec2<f32>(0.0));
 }
 
-@compute @workgroup_size(64)
-fn cs_rows(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let axis = along_rows(vec2<i32>(textureDimensions(weights)));
-    for (var i = thread.x; i < tally[ROWS + 3u]; i += 64u * groups.x) {
-        let pixel = listed(pixels[i]);
-        textureStore(weights, pixel, vec4<u32>(pack2x16unorm(line_weights(axis, pixel.x, pixel.y))));
-    }
-}
-
-@compute @workgroup_size(64)
-fn cs_columns(@builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let axis = along_columns(vec2<i32>(textureDimensions(weights)));
-    for (var i = thread.x; i < tally[COLUMNS + 3u]; i += 64u * groups.x) {
-        let pixel = listed(pixels[i]);
-        textureStore(weights, pixel, vec4<u32>(pack2x16unorm(line_weights(axis, pixel.y, pixel.x))));
-    }
+fn packed(weights: vec2<f32>) -> u32 {
+    return pack2x16unorm(weights);
 }

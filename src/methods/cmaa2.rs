@@ -27,7 +27,12 @@ const DETECT: Source = detect!("cmaa2 edges", part!("morphology/strips.wgsl"), p
 
 const WEIGHTS: Source = Source {
     name: "cmaa2 weights",
-    parts: &[part!("morphology/list.wgsl"), part!("morphology/lines.wgsl"), part!("cmaa2/weights.wgsl")],
+    parts: &[
+        part!("morphology/list.wgsl"),
+        part!("morphology/lines.wgsl"),
+        part!("cmaa2/weights.wgsl"),
+        part!("morphology/by_axis.wgsl"),
+    ],
 };
 
 const BLEND: PatchedModules = patched!(
@@ -37,6 +42,7 @@ const BLEND: PatchedModules = patched!(
     part!("morphology/picture.wgsl"),
     part!("morphology/list.wgsl"),
     part!("morphology/lines.wgsl"),
+    part!("morphology/neighbor.wgsl"),
     part!("cmaa2/blend.wgsl"),
 );
 

@@ -11,8 +11,7 @@
 //!
 //! Cost: as SMAA, without diagonals and corners.
 
-use crate::error::Result;
-use crate::pass::{Context, Encoding, Kind, Method, Needs, OptionSpec, Options, Pass, Role, Technique};
+use crate::pass::{Kind, Method, OptionSpec, Options};
 
 use super::morphology::{Blend, BlendSides, EdgeRule, Geometry, LINE_MODULES, LineRules};
 
@@ -47,49 +46,28 @@ pub(super) const METHOD: Method = Method {
         },
         Blend::OPTION,
     ],
-    configure: |options| Ok(Box::new(Mlaa::new(options))),
+    configure: |options| Ok(Box::new(rules(options))),
     shaders: &LINE_MODULES,
     layouts: &[],
 };
 
-/// MLAA with its options set.
-#[derive(Debug)]
-struct Mlaa(LineRules);
-
-impl Mlaa {
-    fn new(options: &Options) -> Self {
-        let edges = match Geometry::named(options.word("edges")) {
-            Some(of) => EdgeRule::Geometry { of, step: options.number("depth_step").unwrap_or_default() },
-            None => EdgeRule::Color {
-                by_channel: options.word("edges") == "color",
-                threshold: options.number("threshold").unwrap_or_default(),
-                contrast_factor: 0.0,
-                predication: None,
-            },
-        };
-        Self(LineRules {
-            edges,
-            line_reach_px: options.integer("max_search"),
-            diagonal_reach_px: 0,
-            corner_rounding: 1.0,
-            soften: false,
-            sides: BlendSides::All,
-            blend: Blend::named(options.word("blend")),
-        })
-    }
-}
-
-impl Technique for Mlaa {
-    fn needs(&self) -> Needs {
-        Needs {
-            role: Role::Filters(Encoding::Display),
-            output: Encoding::Display,
-            extras: self.0.edges.extras(),
-            ..Needs::default()
-        }
-    }
-
-    fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
-        Ok(Box::new(self.0.build(context, &self.0.exact_areas())?))
+fn rules(options: &Options) -> LineRules {
+    let edges = match Geometry::named(options.word("edges")) {
+        Some(of) => EdgeRule::Geometry { of, step: options.number("depth_step").unwrap_or_default() },
+        None => EdgeRule::Color {
+            by_channel: options.word("edges") == "color",
+            threshold: options.number("threshold").unwrap_or_default(),
+            contrast_factor: 0.0,
+            predication: None,
+        },
+    };
+    LineRules {
+        edges,
+        line_reach_px: options.integer("max_search"),
+        diagonal_reach_px: 0,
+        corner_rounding: 1.0,
+        soften: false,
+        sides: BlendSides::All,
+        blend: Blend::named(options.word("blend")),
     }
 }

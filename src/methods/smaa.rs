@@ -14,8 +14,7 @@
 //!
 //! Cost: two passes over all pixels (edges, output), three more over those near an edge.
 
-use crate::error::Result;
-use crate::pass::{Context, Encoding, Kind, Method, Needs, OptionSpec, Options, Pass, Role, Technique};
+use crate::pass::{Kind, Method, OptionSpec, Options};
 
 use super::morphology::{Blend, BlendSides, EdgeRule, Geometry, LINE_MODULES, LineRules, Predication};
 
@@ -92,7 +91,7 @@ pub(super) const METHOD: Method = Method {
         },
         Blend::OPTION,
     ],
-    configure: |options| Ok(Box::new(Smaa::new(options))),
+    configure: |options| Ok(Box::new(rules(options))),
     shaders: &LINE_MODULES,
     layouts: &[],
 };
@@ -114,54 +113,33 @@ impl Preset {
     ];
 }
 
-/// SMAA with its options set.
-#[derive(Debug)]
-struct Smaa(LineRules);
-
-impl Smaa {
-    fn new(options: &Options) -> Self {
-        let chosen = options.word("preset");
-        let preset = Preset::ALL.iter().find(|p| p.name == chosen).unwrap_or(&Preset::ALL[2]);
-        let step = options.number("depth_step").unwrap_or_default();
-        let predication = Geometry::named(options.word("predication")).map(|by| Predication {
-            by,
-            step,
-            scale: options.number("scale").unwrap_or_default(),
-            strength: options.number("strength").unwrap_or_default(),
-        });
-        let edges = match Geometry::named(options.word("edges")) {
-            Some(of) => EdgeRule::Geometry { of, step },
-            None => EdgeRule::Color {
-                by_channel: options.word("edges") == "color",
-                threshold: options.number("threshold").unwrap_or(preset.threshold),
-                contrast_factor: options.number("contrast").unwrap_or_default(),
-                predication,
-            },
-        };
-        Self(LineRules {
-            edges,
-            line_reach_px: 2 * options.integer_or("search", preset.search),
-            diagonal_reach_px: options.integer_or("diag", preset.diag),
-            corner_rounding: f64::from(options.integer_or("corner", preset.corner)) / 100.0,
-            soften: true,
-            sides: BlendSides::StrongerAxis,
-            blend: Blend::named(options.word("blend")),
-        })
-    }
-}
-
-impl Technique for Smaa {
-    fn needs(&self) -> Needs {
-        Needs {
-            role: Role::Filters(Encoding::Display),
-            output: Encoding::Display,
-            extras: self.0.edges.extras(),
-            ..Needs::default()
-        }
-    }
-
-    fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
-        Ok(Box::new(self.0.build(context, &self.0.exact_areas())?))
+fn rules(options: &Options) -> LineRules {
+    let chosen = options.word("preset");
+    let preset = Preset::ALL.iter().find(|p| p.name == chosen).unwrap_or(&Preset::ALL[2]);
+    let step = options.number("depth_step").unwrap_or_default();
+    let predication = Geometry::named(options.word("predication")).map(|by| Predication {
+        by,
+        step,
+        scale: options.number("scale").unwrap_or_default(),
+        strength: options.number("strength").unwrap_or_default(),
+    });
+    let edges = match Geometry::named(options.word("edges")) {
+        Some(of) => EdgeRule::Geometry { of, step },
+        None => EdgeRule::Color {
+            by_channel: options.word("edges") == "color",
+            threshold: options.number("threshold").unwrap_or(preset.threshold),
+            contrast_factor: options.number("contrast").unwrap_or_default(),
+            predication,
+        },
+    };
+    LineRules {
+        edges,
+        line_reach_px: 2 * options.integer_or("search", preset.search),
+        diagonal_reach_px: options.integer_or("diag", preset.diag),
+        corner_rounding: f64::from(options.integer_or("corner", preset.corner)) / 100.0,
+        soften: true,
+        sides: BlendSides::StrongerAxis,
+        blend: Blend::named(options.word("blend")),
     }
 }
 

@@ -4,7 +4,7 @@ use super::patch::{PatchedModules, Patches, Touch, patched};
 use super::show::Viewer;
 use super::{AreaTable, Blend, EdgeFinder, EdgeRule, Lists, Weights, check_size};
 use crate::error::Result;
-use crate::pass::{Binding, ComputePass, Context, Groups, Inputs, Pass, Recorder};
+use crate::pass::{Binding, ComputePass, Context, Encoding, Groups, Inputs, Needs, Pass, Recorder, Role, Technique};
 use crate::shader::{Source, part};
 
 /// Weights of the lines through each pixel with an edge.
@@ -15,6 +15,7 @@ pub(crate) const WEIGHTS: Source = Source {
         part!("morphology/lines.wgsl"),
         part!("morphology/areas.wgsl"),
         part!("morphology/weights.wgsl"),
+        part!("morphology/by_axis.wgsl"),
     ],
 };
 
@@ -37,6 +38,7 @@ pub(crate) const BLEND_MODULES: PatchedModules = patched!(
     part!("morphology/picture.wgsl"),
     part!("morphology/list.wgsl"),
     part!("morphology/lines.wgsl"),
+    part!("morphology/neighbor.wgsl"),
     part!("morphology/blend.wgsl"),
 );
 
@@ -81,7 +83,7 @@ impl LineRules {
         }
     }
 
-    pub(crate) fn build(&self, context: &Context<'_>, areas: &Areas) -> Result<LineFilter> {
+    pub(crate) fn build_with(&self, context: &Context<'_>, areas: &Areas) -> Result<LineFilter> {
         check_size(context)?;
         let constants = [("LINE_REACH", f64::from(self.line_reach_px)), ("CORNER_ROUNDING", self.corner_rounding)];
         let all_sides = ("BLEND_ALL_SIDES", f64::from(u8::from(self.sides == BlendSides::All)));
@@ -100,6 +102,21 @@ impl LineRules {
             diagonals,
             patches: Patches::new(context, self.blend, ("blend", &BLEND_MODULES, "cs_blend"), &[all_sides]),
         })
+    }
+}
+
+impl Technique for LineRules {
+    fn needs(&self) -> Needs {
+        Needs {
+            role: Role::Filters(Encoding::Display),
+            output: Encoding::Display,
+            extras: self.edges.extras(),
+            ..Needs::default()
+        }
+    }
+
+    fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
+        Ok(Box::new(self.build_with(context, &self.exact_areas())?))
     }
 }
 

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use wgpu::TextureFormat::Rgba8Unorm;
 
-use super::Smaa;
+use super::rules;
 use crate::capture::Studio;
 use crate::gpu::{AdapterChoice, Gpu, TextureSpec};
 use crate::methods::Spec;
-use crate::methods::morphology::Areas;
 use crate::methods::morphology::tests::published;
+use crate::methods::morphology::{Areas, LineRules};
 use crate::pass::{Context, FrameFacts, Inputs, Options, Pass as _, Recorder, Surface};
 use crate::picture::DisplayPicture;
 use crate::scene::Scene;
@@ -41,12 +41,12 @@ fn bytes(gpu: &Gpu, view: &wgpu::TextureView) -> Vec<u8> {
     gpu.read_bytes(view.texture(), wgpu::TextureAspect::All).expect("reads")
 }
 
-fn ours(gpu: &Gpu, input: &wgpu::TextureView, areas: impl FnOnce(&Smaa) -> Areas) -> Vec<u8> {
+fn ours(gpu: &Gpu, input: &wgpu::TextureView, areas: impl FnOnce(&LineRules) -> Areas) -> Vec<u8> {
     let size = [input.texture().width(), input.texture().height()];
-    let smaa = Smaa::new(&Options::parse("smaa", super::METHOD.options, Some(OPTIONS)).expect("valid"));
+    let rules = rules(&Options::parse("smaa", super::METHOD.options, Some(OPTIONS)).expect("valid"));
     let surface = Surface::display(Rgba8Unorm);
     let context = Context { device: &gpu.device, queue: &gpu.queue, size, input: surface, input_samples: 1, output: surface };
-    let mut pass = smaa.0.build(&context, &areas(&smaa)).expect("builds");
+    let mut pass = rules.build_with(&context, &areas(&rules)).expect("builds");
     let output = texture(gpu, size);
     let frame = FrameFacts { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip: [[0.0; 4]; 4] };
     let inputs = Inputs { color: input, samples: None, depth: None, motion: None, ids: None, frame };
@@ -95,11 +95,11 @@ fn with_the_published_tables_it_is_the_crates_picture() {
         let input = texture(&gpu, picture.size());
         gpu.upload(input.texture(), picture.pixels()).expect("uploads");
         let theirs = the_crates(&gpu, &input);
-        let published = ours(&gpu, &input, |smaa| Areas {
-            lines: published::line_table(smaa.0.line_reach_px),
-            diagonals: published::diagonal_table(smaa.0.diagonal_reach_px),
+        let published = ours(&gpu, &input, |rules| Areas {
+            lines: published::line_table(rules.line_reach_px),
+            diagonals: published::diagonal_table(rules.diagonal_reach_px),
         });
-        let exact = ours(&gpu, &input, |smaa| smaa.0.exact_areas());
+        let exact = ours(&gpu, &input, LineRules::exact_areas);
         let unchanged = bytes(&gpu, &input);
         let report = |what: &str, (share, largest, mean): (f64, u8, f64)| {
             println!(
