@@ -28,7 +28,8 @@ impl Targets {
         let samples = draw.samples;
         if samples > 1 && (extras != Extras::default() || matches!(draw.target, Target::Sum(_))) {
             return Err(Error::Unsupported(
-                "depth to read, motion vectors, ids and sums are drawn with one sample a pixel".into(),
+                "depth to read, motion vectors, ids and sums are drawn with one sample a pixel; put what reads them after `none`"
+                    .into(),
             ));
         }
         let stencil = draw.mask.is_some() || matches!(draw.target, Target::Sum(_));
