@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, TextureSpec, bytes_of};
 use crate::methods::{METHODS, Spec};
-use crate::pass::{Context, Encoding, Extras, FrameFacts, Inputs, Pass, Recorder, Role, Surface, Timer};
+use crate::pass::{Context, Encoding, Extras, Inputs, Pass, Recorder, Role, Surface, Timer};
 use crate::picture::Pixel;
 
 use super::shot::view_among;
@@ -103,12 +103,9 @@ impl<'g> PictureFilter<'g> {
             Some(timer) => Recorder::timed(&mut encoder, timer),
             None => Recorder::new(&mut encoder),
         };
-        let still = glam::Mat4::IDENTITY.to_cols_array_2d();
-        let frame = FrameFacts { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip: still };
         let mut color = &self.input;
         for stage in &mut self.stages {
-            let inputs = Inputs { color, samples: None, depth: None, motion: None, ids: None, frame };
-            stage.pass.record(&mut recorder, 0, &inputs, &stage.output);
+            stage.pass.record(&mut recorder, 0, &Inputs::picture(color), &stage.output);
             color = &stage.output;
         }
         self.gpu.submit(encoder)?;

@@ -378,7 +378,8 @@ impl Shot {
         // A sum's depth is that of its last jitter: what lies beside it would not be the picture's.
         if sum && self.stages.len() > 1 && self.extras != Extras::default() {
             return Err(Error::Unsupported(
-                "a method that reads depth, motion or ids cannot follow one that sums jitters: no single draw is the picture's; put                  it after `none`"
+                "a method that reads depth, motion or ids cannot follow one that sums jitters: no single draw is the picture's; put it \
+                 after `none`"
                     .into(),
             ));
         }

@@ -13,31 +13,21 @@
 
 use crate::pass::{Kind, Method, OptionSpec, Options};
 
-use super::morphology::{Blend, BlendSides, EdgeRule, Geometry, LINE_MODULES, LineRules};
+use super::morphology::{Blend, BlendSides, EdgeRule, LINE_MODULES, LineRules};
 
 pub(super) const METHOD: Method = Method {
     name: "mlaa",
     summary: "morphological: Z, U and L shapes of edges blended by exact trapezoid areas",
     source: "Reshetov 2009, Morphological Antialiasing",
     options: &[
-        OptionSpec {
-            name: "edges",
-            help: "what steps at an edge; depth and ids need a scene",
-            kind: Kind::Choice(|| vec!["luma", "color", "depth", "ids"]),
-            default: "luma",
-        },
+        EdgeRule::OPTION,
         OptionSpec {
             name: "threshold",
             help: "least step of luma or colour; lower finds fainter edges",
             kind: Kind::Number { min: 0.0, max: 0.5 },
             default: "0.1",
         },
-        OptionSpec {
-            name: "depth_step",
-            help: "least step of depth, relative to the nearer side's, slopes taken out",
-            kind: Kind::Number { min: 0.0, max: 1.0 },
-            default: "0.01",
-        },
+        EdgeRule::DEPTH_STEP_OPTION,
         OptionSpec {
             name: "max_search",
             help: "pixels along a line, each way; higher smooths longer lines",
@@ -52,17 +42,9 @@ pub(super) const METHOD: Method = Method {
 };
 
 fn rules(options: &Options) -> LineRules {
-    let edges = match Geometry::named(options.word("edges")) {
-        Some(of) => EdgeRule::Geometry { of, step: options.number("depth_step").unwrap_or_default() },
-        None => EdgeRule::Color {
-            by_channel: options.word("edges") == "color",
-            threshold: options.number("threshold").unwrap_or_default(),
-            contrast_factor: 0.0,
-            predication: None,
-        },
-    };
+    let threshold = options.number("threshold").unwrap_or_default();
     LineRules {
-        edges,
+        edges: EdgeRule::chosen(options, threshold, 0.0, None),
         line_reach_px: options.integer("max_search"),
         diagonal_reach_px: 0,
         corner_rounding: 1.0,

@@ -29,12 +29,7 @@ pub(super) const METHOD: Method = Method {
             kind: Kind::Choice(|| Preset::ALL.iter().map(|p| p.name).collect()),
             default: "high",
         },
-        OptionSpec {
-            name: "edges",
-            help: "what steps at an edge; depth and ids need a scene",
-            kind: Kind::Choice(|| vec!["luma", "color", "depth", "ids"]),
-            default: "luma",
-        },
+        EdgeRule::OPTION,
         OptionSpec {
             name: "threshold",
             help: "least step of luma or colour; lower finds fainter edges",
@@ -65,12 +60,7 @@ pub(super) const METHOD: Method = Method {
             kind: Kind::Number { min: 0.0, max: 10.0 },
             default: "2",
         },
-        OptionSpec {
-            name: "depth_step",
-            help: "least step of depth, relative to the nearer side's, slopes taken out",
-            kind: Kind::Number { min: 0.0, max: 1.0 },
-            default: "0.01",
-        },
+        EdgeRule::DEPTH_STEP_OPTION,
         OptionSpec {
             name: "predication",
             help: "raise the threshold where depth or object ids do not step; needs a scene",
@@ -116,24 +106,16 @@ impl Preset {
 fn rules(options: &Options) -> LineRules {
     let chosen = options.word("preset");
     let preset = Preset::ALL.iter().find(|p| p.name == chosen).unwrap_or(&Preset::ALL[2]);
-    let step = options.number("depth_step").unwrap_or_default();
     let predication = Geometry::named(options.word("predication")).map(|by| Predication {
         by,
-        step,
+        step: options.number("depth_step").unwrap_or_default(),
         scale: options.number("scale").unwrap_or_default(),
         strength: options.number("strength").unwrap_or_default(),
     });
-    let edges = match Geometry::named(options.word("edges")) {
-        Some(of) => EdgeRule::Geometry { of, step },
-        None => EdgeRule::Color {
-            by_channel: options.word("edges") == "color",
-            threshold: options.number("threshold").unwrap_or(preset.threshold),
-            contrast_factor: options.number("contrast").unwrap_or_default(),
-            predication,
-        },
-    };
+    let threshold = options.number("threshold").unwrap_or(preset.threshold);
+    let contrast_factor = options.number("contrast").unwrap_or_default();
     LineRules {
-        edges,
+        edges: EdgeRule::chosen(options, threshold, contrast_factor, predication),
         line_reach_px: 2 * options.integer_or("search", preset.search),
         diagonal_reach_px: options.integer_or("diag", preset.diag),
         corner_rounding: f64::from(options.integer_or("corner", preset.corner)) / 100.0,

@@ -2,7 +2,7 @@
 
 use super::{Blend, Constants, Lists, picture_constants, storage_texture, texture_bytes};
 use crate::error::{Error, Result};
-use crate::pass::{Binding, ComputePass, Context, Extras, Groups, Inputs, Recorder};
+use crate::pass::{Binding, ComputePass, Context, Extras, Groups, Inputs, Kind, OptionSpec, Options, Recorder};
 use crate::shader::{Part, Source, part};
 
 /// What lies beside the colour and knows silhouettes.
@@ -100,6 +100,28 @@ pub(crate) const RESOLVED: Source = Source { name: "resolved pixels", parts: &[p
 pub(crate) const MODULES: [Source; 5] = [BY_COLOR, BY_COLOR_AND_DEPTH, BY_COLOR_AND_IDS, BY_DEPTH, BY_IDS];
 
 impl EdgeRule {
+    pub(crate) const OPTION: OptionSpec = OptionSpec {
+        name: "edges",
+        help: "what steps at an edge; depth and ids need a scene",
+        kind: Kind::Choice(|| vec!["luma", "color", "depth", "ids"]),
+        default: "luma",
+    };
+    pub(crate) const DEPTH_STEP_OPTION: OptionSpec = OptionSpec {
+        name: "depth_step",
+        help: "least step of depth, relative to the nearer side's, slopes taken out",
+        kind: Kind::Number { min: 0.0, max: 1.0 },
+        default: "0.01",
+    };
+
+    /// What the two options above ask for; the rest counts for luma and colour.
+    pub(crate) fn chosen(options: &Options, threshold: f64, contrast_factor: f64, predication: Option<Predication>) -> Self {
+        let kind = options.word("edges");
+        match Geometry::named(kind) {
+            Some(of) => Self::Geometry { of, step: options.number("depth_step").unwrap_or_default() },
+            None => Self::Color { by_channel: kind == "color", threshold, contrast_factor, predication },
+        }
+    }
+
     /// What must be drawn beside the colour.
     pub(crate) fn extras(&self) -> Extras {
         match self.geometry() {

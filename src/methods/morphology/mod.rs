@@ -1,7 +1,7 @@
 //! What the morphological methods share: edges as bits, lists of pixels, areas, and how changed pixels come into the picture.
 //!
-//! Most pixels of a picture have no edge. So only one pass looks at all of them for edges (`detect`), four pixels a thread, and one
-//! more writes the output (`apply`): what lies between is dispatched for the pixels on a list alone. Nothing depends on the
+//! Most pixels of a picture have no edge. So only one pass looks at all of them for edges (`detect`), sixteen pixels a thread, and
+//! one more writes the output (`apply`): what lies between is dispatched for the pixels on a list alone. Nothing depends on the
 //! lists' order, and a list has room for every pixel, so it cannot overflow.
 
 mod areas;

@@ -10,7 +10,7 @@ use crate::gpu::{AdapterChoice, Gpu, TextureSpec};
 use crate::methods::Spec;
 use crate::methods::morphology::tests::published;
 use crate::methods::morphology::{Areas, LineRules};
-use crate::pass::{Context, FrameFacts, Inputs, Options, Pass as _, Recorder, Surface};
+use crate::pass::{Context, Inputs, Options, Pass as _, Recorder, Surface};
 use crate::picture::DisplayPicture;
 use crate::scene::Scene;
 
@@ -48,10 +48,8 @@ fn ours(gpu: &Gpu, input: &wgpu::TextureView, areas: impl FnOnce(&LineRules) -> 
     let context = Context { device: &gpu.device, queue: &gpu.queue, size, input: surface, input_samples: 1, output: surface };
     let mut pass = rules.build_with(&context, &areas(&rules)).expect("builds");
     let output = texture(gpu, size);
-    let frame = FrameFacts { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip: [[0.0; 4]; 4] };
-    let inputs = Inputs { color: input, samples: None, depth: None, motion: None, ids: None, frame };
     let mut encoder = gpu.encoder();
-    pass.record(&mut Recorder::new(&mut encoder), 0, &inputs, &output);
+    pass.record(&mut Recorder::new(&mut encoder), 0, &Inputs::picture(input), &output);
     gpu.submit(encoder).expect("runs");
     bytes(gpu, &output)
 }
