@@ -74,7 +74,7 @@
 //! # #[cfg(feature = "passes")]
 //! # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, output: &wgpu::TextureView, color: &wgpu::TextureView) -> dejag::Result<()> {
 //! use dejag::methods::Spec;
-//! use dejag::pass::{Context, Inputs, Recorder, Surface};
+//! use dejag::pass::{Context, FrameFacts, Inputs, Recorder, Surface};
 //!
 //! let spec = Spec::parse("msaa:samples=4,resolve=mitchell,weight=luma")?;
 //! let surface = Surface::linear(wgpu::TextureFormat::Rgba16Float);
@@ -83,7 +83,7 @@
 //!
 //! let mut encoder = device.create_command_encoder(&Default::default());
 //! let mut k = 0;
-//! while let Some(draw) = pass.next_draw(k) {
+//! while let Some(draw) = pass.next_draw(k, &FrameFacts::default()) {
 //!     // Draw your scene here as `draw` says: into `color` (here of `draw.samples` samples a pixel), moved by its jitter, or
 //!     // into the sum or output that `draw.target` names.
 //!     pass.record(&mut Recorder::new(&mut encoder), k, &Inputs::picture(color), output);

@@ -9,7 +9,7 @@ use crate::gpu::{Card, Gpu};
 use crate::methods::Spec;
 use crate::metrics::{self, METRICS, Pair};
 use crate::picture::{BitDepth, DisplayPicture, LinearPicture, NonFinite};
-use crate::scene::Scene;
+use crate::scene::{Scene, Tick};
 use crate::suite::{
     AnalyticDistance, MethodResult, NoiseFloor, Outcome, PassTiming, ReferenceResult, ReferenceTiming, SceneResult, Score,
     Spread, Stamp, Timing,
@@ -173,7 +173,7 @@ fn make_reference(
     let scene = studio.scene;
     let (reference, exact) = match &request.reference {
         ReferenceChoice::Method(spec) => {
-            let reference = studio.reference(spec, request.frame, request.size, cache, progress)?;
+            let reference = studio.reference(spec, &Tick::of(scene, request.frame.into()), request.size, cache, progress)?;
             // Most scenes have no exact answer, and need none.
             (reference, analytic::exact(scene, request.frame, request.size).ok())
         }
@@ -235,7 +235,7 @@ fn prepare(
     progress: &mut impl Progress,
 ) -> Result<Candidate> {
     let shot = studio.shot(spec, request.frame, request.size);
-    let taken = shot.and_then(|mut shot| studio.take(&mut shot, None, progress).map(|()| shot));
+    let taken = shot.and_then(|mut shot| studio.take_alone(&mut shot, progress).map(|()| shot));
     let shot = match taken {
         Ok(shot) => shot,
         Err(Error::Unsupported(why)) => {

@@ -58,7 +58,7 @@ impl<'g> PictureFilter<'g> {
     pub fn check(spec: &Spec) -> Result<()> {
         for stage in &spec.stages {
             let (name, needs) = (stage.method.name, stage.technique.needs());
-            if needs.role == Role::Draws {
+            if matches!(needs.role, Role::Draws(_)) {
                 return Err(Error::Request(format!(
                     "{name} draws the scene itself; a picture can only be given to a filter ({})",
                     filters().join(", ")
@@ -160,6 +160,6 @@ impl<'g> PictureFilter<'g> {
 
 /// Methods that take a finished picture, as they are without options.
 fn filters() -> Vec<&'static str> {
-    let takes_pictures = |name| Spec::parse(name).is_ok_and(|spec| spec.first_needs().role != Role::Draws);
+    let takes_pictures = |name| Spec::parse(name).is_ok_and(|spec| !matches!(spec.first_needs().role, Role::Draws(_)));
     METHODS.iter().map(|method| method.name).filter(|name| takes_pictures(name)).collect()
 }

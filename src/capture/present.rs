@@ -58,13 +58,13 @@ impl Present {
             contents: bytemuck::bytes_of(&PresentUniforms { exposure: scene.exposure, tone_map }),
             usage: wgpu::BufferUsages::UNIFORM,
         });
-        Self { uniforms, pass: ScreenPass::new(&gpu.device, "present", &Self::SHADER, "fs_present", &[], target) }
+        Self { uniforms, pass: ScreenPass::new(&gpu.device, "present", &Self::SHADER, "fs_present", &[], &[target]) }
     }
 
     /// Records the pass.
     pub fn record(&mut self, recorder: &mut Recorder<'_>, linear: &wgpu::TextureView, output: &wgpu::TextureView) {
         let bindings = [Binding::Texture(linear.clone()), Binding::Buffer(self.uniforms.clone())];
-        self.pass.record(recorder, &bindings.each_ref(), output);
+        self.pass.record(recorder, &bindings.each_ref(), &[output]);
     }
 
     /// A linear picture as the display shows it, not yet rounded to 8 bits.

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use glam::DAffine3;
 use serde::{Deserialize, Serialize};
 
 use super::cache::{Cache, CacheEntry};
@@ -11,7 +12,7 @@ use super::shot::{Shot, Studio, Watch};
 use crate::error::Result;
 use crate::methods::Spec;
 use crate::picture::{DisplayPicture, LinearPicture};
-use crate::scene::{Frame, Scene};
+use crate::scene::{Frame, Scene, Tick, View};
 use crate::{forward, gpu::Card};
 
 /// What candidates are held against unless asked otherwise: see `docs/reference.md` for why this pattern.
@@ -49,18 +50,19 @@ impl Studio<'_> {
     pub fn reference(
         &mut self,
         spec: &Spec,
-        frame: u32,
+        tick: &Tick,
         size: [u32; 2],
         cache: &Cache,
         watch: &mut dyn Watch,
     ) -> Result<Reference> {
         self.gpu.check_size(size)?;
-        let key = reference_key(self.scene, &self.scene.frame(frame, size)?, spec, size, &self.gpu.card);
+        let key = reference_key(self.scene, tick, spec, size, &self.gpu.card)?;
         if let Some((linear, entry)) = cache.get(&key).filter(|(_, entry)| entry.size == size) {
             let display = self.display_of(&linear)?;
             return Ok(Reference { spec: spec.to_string(), linear, display, halves: entry.halves, cached: true });
         }
-        let mut shot = self.shot(spec, frame, size)?;
+        let mut shot = self.shot(spec, 0, size)?;
+        shot.move_to(*tick, true);
         self.take(&mut shot, None, watch)?;
         let capture = self.read(&shot)?;
         let linear = capture.linear.unwrap_or_else(|| capture.display.to_linear());
@@ -109,20 +111,25 @@ fn difference(a: &LinearPicture, b: &LinearPicture, exposure: f32) -> Option<Hal
 
 /// A hash of everything that shapes a reference: what is drawn, with what, how, how large, and on what.
 #[must_use]
-pub fn reference_key(scene: &Scene, frame: &Frame, spec: &Spec, size: [u32; 2], card: &Card) -> String {
+///
+/// # Errors
+/// [`crate::Error::Request`] for a picture without pixels.
+pub fn reference_key(scene: &Scene, tick: &Tick, spec: &Spec, size: [u32; 2], card: &Card) -> Result<String> {
+    let frame = scene.at(tick, size)?;
+    // An open shutter sees what comes around the frame's moment.
+    let (early, late) = (scene.at(&tick.later(-0.5), size)?, scene.at(&tick.later(0.5), size)?);
     let mut hasher = blake3::Hasher::new();
     // Debug output holds every field, and a technique's holds its sample positions and weights. A method's would hold addresses of
     // functions, which differ from process to process.
     let techniques: Vec<_> = spec.stages.iter().map(|stage| (stage.method.name, &stage.technique)).collect();
     let words = format!(
-        "{} {} {size:?} {card:?} {techniques:?} {:?} {:?} {:?} {:?} {:?}",
+        "{} {} {size:?} {card:?} {techniques:?} {:?} {:?} {:?} {:?}",
         env!("CARGO_PKG_VERSION"),
         forward::REVISION,
         scene.light,
         (scene.background, scene.ambient, scene.exposure),
         scene.materials,
-        (frame.view, frame.previous_view),
-        frame.instances.iter().map(|i| (i.material, i.world_from_object, i.id)).collect::<Vec<_>>(),
+        [&early, &frame, &late].map(placed),
     );
     hasher.update(words.as_bytes()).update(&scene.fingerprint).update(forward::SHADER.text().as_bytes());
     for shader in spec.stages.iter().flat_map(|stage| stage.method.shaders) {
@@ -140,7 +147,12 @@ pub fn reference_key(scene: &Scene, frame: &Frame, spec: &Spec, size: [u32; 2], 
             hasher.update(bytemuck::cast_slice(&instance.mesh.indices));
         }
     }
-    hasher.finalize().to_hex().to_string()
+    Ok(hasher.finalize().to_hex().to_string())
+}
+
+/// Where the camera is and what it sees.
+fn placed(frame: &Frame) -> (View, Vec<(usize, DAffine3, u32)>) {
+    (frame.view, frame.instances.iter().map(|i| (i.material, i.world_from_object, i.id)).collect())
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::gpu::{Gpu, TextureSpec, bytes_of};
 use crate::methods::Spec;
 use crate::pass::{Context, Draw, Encoding, Extras, FrameFacts, Inputs, Pass, Recorder, Role, Surface, Target, Technique, Timer};
 use crate::picture::{DisplayPicture, LinearPicture};
-use crate::scene::{Frame, Scene};
+use crate::scene::{Frame, Scene, Tick};
 
 use super::present::Present;
 
@@ -90,9 +90,24 @@ impl<'a> Studio<'a> {
             stages.push(Stage::new(self.gpu, self.scene, (name, *technique), size, (before, drawn_samples))?);
             extras = extras.union(technique.needs().extras);
         }
-        let shot = Shot { frame, reset: true, size, extras, stages, targets: Vec::new() };
+        let shot = Shot { tick: Tick::of_frame(self.scene, frame), reset: true, size, extras, stages, targets: Vec::new() };
         self.gpu.check()?;
         Ok(shot)
+    }
+
+    /// Takes a shot of which nothing was taken before: first as many frames of what came earlier as its methods need.
+    ///
+    /// # Errors
+    /// As [`Studio::take`].
+    pub fn take_alone(&mut self, shot: &mut Shot, watch: &mut dyn Watch) -> Result<()> {
+        let own = shot.tick;
+        let first = own.index - i64::from(shot.frames_before());
+        for index in first..own.index {
+            shot.move_to(Tick::of(self.scene, index), index == first);
+            self.take(shot, None, watch)?;
+        }
+        shot.move_to(if first < own.index { Tick::of(self.scene, own.index) } else { own }, first == own.index);
+        self.take(shot, None, watch)
     }
 
     /// Draws, anti-aliases, and leaves the picture in the shot.
@@ -100,18 +115,25 @@ impl<'a> Studio<'a> {
     /// # Errors
     /// [`Error::Gpu`], and what `watch` answers.
     pub fn take(&mut self, shot: &mut Shot, mut timer: Option<&mut dyn Timer>, watch: &mut dyn Watch) -> Result<()> {
-        let frame = self.scene.frame(shot.frame, shot.size)?;
+        let frame = self.scene.at(&shot.tick, shot.size)?;
         self.forward.set_frame(&frame, shot.size)?;
-        let facts = self.facts(shot, &frame);
+        let mut facts = self.facts(shot, &frame);
         let total = shot.samples_per_pixel();
         let mut done = 0;
+        let mut time = 0.0;
         let mut in_flight = InFlight::default();
         for k in 0.. {
-            let draws = shot.stages[0].role == Role::Draws;
-            let request = if draws { shot.stages[0].pass.next_draw(k) } else { (k == 0).then(Draw::default) };
+            let draws = matches!(shot.stages[0].role, Role::Draws(_));
+            let request = if draws { shot.stages[0].pass.next_draw(k, &facts) } else { (k == 0).then(Draw::default) };
             let Some(request) = request else { break };
             watch.tick(done, total)?;
             done += request.jitters.len() as u32 * request.samples;
+            if request.time != time {
+                time = request.time;
+                let moment = self.scene.at(&shot.tick.later(time.into()), shot.size)?;
+                self.forward.set_frame(&moment, shot.size)?;
+            }
+            facts.jitter_px = request.jitters.first().map_or([0.0; 2], |jitter| jitter.offset_px);
             self.draw(shot, k, &request, facts, &mut timer)?;
             if in_flight.is_full(&request, shot.size) {
                 self.gpu.wait()?;
@@ -128,7 +150,8 @@ impl<'a> Studio<'a> {
         let aspect = f64::from(shot.size[0]) / f64::from(shot.size[1]);
         let previous_clip_from_clip = frame.view.previous_clip_from_clip(&frame.previous_view, aspect);
         FrameFacts {
-            index: shot.frame,
+            index: shot.tick.index as u32,
+            jitter_px: [0.0; 2],
             reset: shot.reset,
             exposure: self.scene.exposure,
             previous_clip_from_clip: previous_clip_from_clip.as_mat4().to_cols_array_2d(),
@@ -191,7 +214,7 @@ impl<'a> Studio<'a> {
     /// As [`Studio::shot`] and [`Studio::take`].
     pub fn capture(&mut self, spec: &Spec, frame: u32, size: [u32; 2], watch: &mut dyn Watch) -> Result<Capture> {
         let mut shot = self.shot(spec, frame, size)?;
-        self.take(&mut shot, None, watch)?;
+        self.take_alone(&mut shot, watch)?;
         self.read(&shot)
     }
 }
@@ -259,7 +282,7 @@ fn recorder<'r>(encoder: &'r mut wgpu::CommandEncoder, timer: &'r mut Option<&mu
 /// A method prepared on one frame of a studio's scene.
 #[derive(Debug)]
 pub struct Shot {
-    frame: u32,
+    tick: Tick,
     /// Whether what came before must be forgotten.
     reset: bool,
     size: [u32; 2],
@@ -284,6 +307,7 @@ struct Stage {
     role: Role,
     encoding: Encoding,
     samples_per_pixel: u32,
+    frames_before: u32,
     output: wgpu::Texture,
     /// Where the stage wants display values of linear input.
     present: Option<(Present, wgpu::Texture)>,
@@ -314,7 +338,8 @@ impl Stage {
                 "{name} filters linear light; put it before the method that makes display values"
             )));
         }
-        let tone_maps = (needs.role, before.values) == (Role::Filters(Encoding::Display), Encoding::Linear);
+        let (Role::Draws(read) | Role::Filters(read)) = needs.role;
+        let tone_maps = (read, before.values) == (Encoding::Display, Encoding::Linear);
         let present = tone_maps.then(|| {
             let shown = target("shown", wgpu::TextureFormat::Rgba8Unorm);
             (Present::new(gpu, scene, shown.format()), shown)
@@ -330,6 +355,7 @@ impl Stage {
             role: needs.role,
             encoding: needs.output,
             samples_per_pixel: needs.samples_per_pixel,
+            frames_before: needs.frames_before,
             output,
             present,
         })
@@ -356,12 +382,16 @@ impl Stage {
 
 impl Shot {
     /// What is taken next: this frame, with (`reset`) or without forgetting those that were taken before.
-    pub fn move_to(&mut self, frame: u32, reset: bool) {
-        (self.frame, self.reset) = (frame, reset);
+    pub fn move_to(&mut self, tick: Tick, reset: bool) {
+        (self.tick, self.reset) = (tick, reset);
     }
 
     fn samples_per_pixel(&self) -> u32 {
         self.stages[0].samples_per_pixel
+    }
+
+    fn frames_before(&self) -> u32 {
+        self.stages.iter().map(|stage| stage.frames_before).max().unwrap_or(0)
     }
 
     /// The targets that fit a draw, made if none do.

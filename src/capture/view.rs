@@ -103,7 +103,7 @@ impl Studio<'_> {
         let mut shot = self.shot(spec, frame, size)?;
         let others = ["colour", "depth", "motion", "ids"];
         check_view(spec, name, &[&others[..], &shot.views()].concat())?;
-        self.take(&mut shot, None, watch)?;
+        self.take_alone(&mut shot, watch)?;
         let view = shot.view(self.gpu, name)?;
         let data = self.gpu.read_linear(view.texture())?;
         // Sums are 32 bit floats; a filter's weights, whose alpha is no weight of a sum, have no need of them.

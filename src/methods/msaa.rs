@@ -12,8 +12,7 @@ use wgpu::util::DeviceExt as _;
 
 use crate::error::{Error, Result};
 use crate::pass::{
-    Binding, Context, Draw, Inputs, Jitter, Kind, Method, Needs, OptionSpec, Options, Pass, Recorder, ScreenPass, Target,
-    Technique,
+    Binding, Context, Draw, FrameFacts, Inputs, Kind, Method, Needs, OptionSpec, Options, Pass, Recorder, ScreenPass, Technique,
 };
 use crate::sampling::{FILTERS, Filter, filter};
 use crate::shader::{Source, layout::gpu_struct, part};
@@ -154,13 +153,7 @@ impl Technique for Msaa {
     }
 
     fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
-        let draw = Draw {
-            jitters: vec![Jitter::CENTRE],
-            samples: self.samples,
-            mask: None,
-            alpha_to_coverage: self.alpha_to_coverage,
-            target: Target::Input,
-        };
+        let draw = Draw { samples: self.samples, alpha_to_coverage: self.alpha_to_coverage, ..Draw::default() };
         let Some(footprint) = &self.footprint else {
             if context.input.format != context.output.format {
                 return Err(Error::Unsupported(format!(
@@ -183,7 +176,7 @@ impl Technique for Msaa {
                 bytemuck::bytes_of(&ResolveUniforms { exposure: 1.0 }),
                 wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             ),
-            resolve: ScreenPass::new(context.device, "msaa resolve", &SHADER, "fs_resolve", &constants, context.output.format),
+            resolve: ScreenPass::new(context.device, "msaa resolve", &SHADER, "fs_resolve", &constants, &[context.output.format]),
         }))
     }
 }
@@ -195,7 +188,7 @@ struct HardwareResolve {
 }
 
 impl Pass for HardwareResolve {
-    fn next_draw(&mut self, k: u32) -> Option<Draw> {
+    fn next_draw(&mut self, k: u32, _: &FrameFacts) -> Option<Draw> {
         (k == 0).then(|| self.draw.clone())
     }
 
@@ -226,7 +219,7 @@ struct FilteredResolve {
 }
 
 impl Pass for FilteredResolve {
-    fn next_draw(&mut self, k: u32) -> Option<Draw> {
+    fn next_draw(&mut self, k: u32, _: &FrameFacts) -> Option<Draw> {
         (k == 0).then(|| self.draw.clone())
     }
 
@@ -235,7 +228,7 @@ impl Pass for FilteredResolve {
         self.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
         let bindings =
             [Binding::Texture(inputs.color.clone()), Binding::Buffer(self.taps.clone()), Binding::Buffer(self.uniforms.clone())];
-        self.resolve.record(recorder, &bindings.each_ref(), output);
+        self.resolve.record(recorder, &bindings.each_ref(), &[output]);
     }
 }
 

@@ -1,7 +1,7 @@
 //! No anti-aliasing: one sample at each pixel's centre, as drawn. What every other method is measured from.
 
 use crate::error::Result;
-use crate::pass::{Context, Draw, Inputs, Method, Needs, Pass, Recorder, Target, Technique};
+use crate::pass::{Context, Draw, FrameFacts, Inputs, Method, Needs, Pass, Recorder, Target, Technique};
 
 pub(super) const METHOD: Method = Method {
     name: "none",
@@ -27,7 +27,7 @@ impl Technique for None {
 }
 
 impl Pass for None {
-    fn next_draw(&mut self, k: u32) -> Option<Draw> {
+    fn next_draw(&mut self, k: u32, _: &FrameFacts) -> Option<Draw> {
         (k == 0).then(|| Draw { target: Target::Output, ..Draw::default() })
     }
 

@@ -34,7 +34,7 @@ impl Spec {
             return Err(Error::Request(format!("'{text}': a method is missing beside a '+'; write it as METHOD+METHOD")));
         }
         let stages: Vec<Stage> = text.split('+').map(Stage::parse).collect::<Result<_>>()?;
-        if let Some(late) = stages.iter().skip(1).find(|stage| stage.technique.needs().role == Role::Draws) {
+        if let Some(late) = stages.iter().skip(1).find(|stage| matches!(stage.technique.needs().role, Role::Draws(_))) {
             return Err(Error::Request(format!(
                 "'{text}': {} draws the scene itself and can only come first in a combination",
                 late.method.name

@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 use crate::error::{Error, Result};
 use crate::pass::{
-    Binding, Context, Draw, Encoding, Inputs, Jitter, Kind, Method, Needs, OptionSpec, Options, Pass, Recorder, ScreenPass, Sum,
-    Target, Technique,
+    Binding, Context, Draw, Encoding, FrameFacts, Inputs, Jitter, Kind, Method, Needs, OptionSpec, Options, Pass, Recorder,
+    ScreenPass, Sum, Target, Technique,
 };
 use crate::sampling::{FILTERS, MAX_POINTS, PATTERNS, filter, pattern, weighted_offsets};
 use crate::shader::{Source, part};
@@ -45,6 +45,12 @@ pub(super) const METHOD: Method = Method {
             default: "auto",
         },
         OptionSpec {
+            name: "shutter",
+            help: "share of a frame's interval over which the samples are spread, around its moment; above 0 what moves is blurred",
+            kind: Kind::Number { min: 0.0, max: 1.0 },
+            default: "0",
+        },
+        OptionSpec {
             name: "seed",
             help: "of the patterns that use chance",
             kind: Kind::Integer { min: 0, max: u32::MAX },
@@ -63,9 +69,14 @@ fn jitters_a_draw([width, height]: [u32; 2]) -> usize {
     (SAMPLES_A_DRAW / pixels).clamp(4, 50) as usize
 }
 
+/// Samples that share a moment of an open shutter: with more, what moves would show as copies; with fewer, the scene would be
+/// set up for each.
+const SAMPLES_A_MOMENT: usize = 4;
+
 #[derive(Debug)]
 struct Ssaa {
     jitters: Arc<[Jitter]>,
+    shutter: f32,
 }
 
 impl Ssaa {
@@ -95,7 +106,7 @@ impl Ssaa {
             .iter()
             .map(|s| Jitter { offset_px: s.offset_px.map(|x| x as f32), weight: (s.weight * scale) as f32 })
             .collect();
-        Ok(Self { jitters })
+        Ok(Self { jitters, shutter: options.number("shutter").unwrap_or_default() as f32 })
     }
 }
 
@@ -113,9 +124,10 @@ impl Technique for Ssaa {
     fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
         Ok(Box::new(Accumulation {
             jitters: Arc::clone(&self.jitters),
-            jitters_a_draw: jitters_a_draw(context.size),
+            jitters_a_draw: if self.shutter > 0.0 { SAMPLES_A_MOMENT } else { jitters_a_draw(context.size) },
+            shutter: self.shutter,
             halves: ["ssaa half-a", "ssaa half-b"].map(|label| accumulator(context, label)),
-            normalize: ScreenPass::new(context.device, "ssaa normalize", &SHADER, "fs_normalize", &[], context.output.format),
+            normalize: ScreenPass::new(context.device, "ssaa normalize", &SHADER, "fs_normalize", &[], &[context.output.format]),
         }))
     }
 }
@@ -142,11 +154,18 @@ const VIEWS: [&str; 2] = ["half-a", "half-b"];
 struct Accumulation {
     jitters: Arc<[Jitter]>,
     jitters_a_draw: usize,
+    shutter: f32,
     halves: [wgpu::TextureView; 2],
     normalize: ScreenPass,
 }
 
 impl Accumulation {
+    /// Where in the open shutter the `k`-th request is, in (0, 1): by the golden ratio, so that near samples are far in time.
+    fn moment(&self, k: u32) -> f32 {
+        const GOLDEN: f64 = 0.618_033_988_749_894_8;
+        ((f64::from(k) + 0.5) * GOLDEN).fract() as f32
+    }
+
     /// Which half the `k`-th request adds to, and which jitters it draws. No request straddles the halves.
     fn request(&self, k: u32) -> Option<(usize, bool, &[Jitter])> {
         let (a, b) = self.jitters.split_at(self.jitters.len().div_ceil(2));
@@ -158,10 +177,11 @@ impl Accumulation {
 }
 
 impl Pass for Accumulation {
-    fn next_draw(&mut self, k: u32) -> Option<Draw> {
+    fn next_draw(&mut self, k: u32, _: &FrameFacts) -> Option<Draw> {
         let (half, clear, jitters) = self.request(k)?;
         let sum = Sum { view: self.halves[half].clone(), clear };
-        Some(Draw { jitters: jitters.to_vec(), target: Target::Sum(sum), ..Draw::default() })
+        let time = self.shutter * (self.moment(k) - 0.5);
+        Some(Draw { jitters: jitters.to_vec(), time, target: Target::Sum(sum), ..Draw::default() })
     }
 
     fn record(&mut self, recorder: &mut Recorder<'_>, k: u32, _: &Inputs<'_>, output: &wgpu::TextureView) {
@@ -170,7 +190,7 @@ impl Pass for Accumulation {
         }
         // A single sample leaves the second half as it was made: zero.
         let bindings = self.halves.clone().map(Binding::Texture);
-        self.normalize.record(recorder, &bindings.each_ref(), output);
+        self.normalize.record(recorder, &bindings.each_ref(), &[output]);
     }
 
     fn views(&self) -> &'static [&'static str] {

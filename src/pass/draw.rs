@@ -12,13 +12,15 @@ pub struct Draw {
     pub mask: Option<wgpu::TextureView>,
     /// Whether alpha-tested surfaces write their opacity as coverage. Needs several samples.
     pub alpha_to_coverage: bool,
+    /// When in the frame's interval the scene is seen: 0 at the frame's own moment, -0.5 and 0.5 half an interval around it.
+    pub time: f32,
     /// Where it goes.
     pub target: Target,
 }
 
 impl Default for Draw {
     fn default() -> Self {
-        Self { jitters: vec![Jitter::CENTRE], samples: 1, mask: None, alpha_to_coverage: false, target: Target::Input }
+        Self { jitters: vec![Jitter::CENTRE], samples: 1, mask: None, alpha_to_coverage: false, time: 0.0, target: Target::Input }
     }
 }
 

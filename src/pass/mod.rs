@@ -80,19 +80,22 @@ pub struct Needs {
     pub extras: Extras,
     /// Samples shaded a pixel by all its draws together.
     pub samples_per_pixel: u32,
+    /// Frames that must have gone before for the picture to be what the method makes of a sequence; 0 without history.
+    pub frames_before: u32,
 }
 
 impl Default for Needs {
     /// One plain draw to linear light.
     fn default() -> Self {
         Self {
-            role: Role::Draws,
+            role: Role::Draws(Encoding::Linear),
             output: Encoding::Linear,
             wide_output: false,
             samples: 1,
             features: wgpu::Features::empty(),
             extras: Extras::default(),
             samples_per_pixel: 1,
+            frames_before: 0,
         }
     }
 }
@@ -100,8 +103,8 @@ impl Default for Needs {
 /// Where a technique's picture comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// It drives the scene's draws. In a combination only the first may.
-    Draws,
+    /// It drives the scene's draws and is handed them in this encoding. In a combination only the first may.
+    Draws(Encoding),
     /// It takes a finished picture in this encoding; alone, it is given one plain draw.
     Filters(Encoding),
 }
@@ -168,8 +171,10 @@ impl Surface {
 
 /// A built method: pipelines and private targets for one device and size.
 pub trait Pass: Debug {
-    /// The `k`-th draw of this frame, from 0; none when the frame is complete. Asked again after [`Pass::record`].
-    fn next_draw(&mut self, k: u32) -> Option<Draw> {
+    /// The `k`-th draw of this frame, from 0; none when the frame is complete. Asked again after [`Pass::record`]. Of the facts,
+    /// [`FrameFacts::jitter_px`] is not known yet: it is what the answer asks for.
+    fn next_draw(&mut self, k: u32, frame: &FrameFacts) -> Option<Draw> {
+        let _ = frame;
         (k == 0).then(Draw::default)
     }
 
@@ -214,8 +219,10 @@ pub struct Inputs<'a> {
 /// Facts about a frame that are not pictures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameFacts {
-    /// From 0.
+    /// Counts frames up, and wraps. Sequences of jitters follow it.
     pub index: u32,
+    /// Where in every pixel the draw at hand was sampled, from the pixel's centre, y down.
+    pub jitter_px: [f32; 2],
     /// Whether what came before must be forgotten: the first frame, a cut.
     pub reset: bool,
     /// Factor on linear colour before the tone map.
@@ -229,7 +236,7 @@ impl Default for FrameFacts {
     /// A picture by itself: nothing came before it.
     fn default() -> Self {
         let previous_clip_from_clip = glam::Mat4::IDENTITY.to_cols_array_2d();
-        Self { index: 0, reset: true, exposure: 1.0, previous_clip_from_clip }
+        Self { index: 0, jitter_px: [0.0; 2], reset: true, exposure: 1.0, previous_clip_from_clip }
     }
 }
 

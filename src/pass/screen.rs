@@ -1,4 +1,4 @@
-//! Full-screen passes: one triangle, one bind group, one target.
+//! Full-screen passes: one triangle, one bind group, one target or several.
 
 use super::Recorder;
 use super::bindings::{Binding, Bound};
@@ -21,7 +21,7 @@ impl ScreenPass {
         source: &Source,
         fragment: &str,
         constants: &[(&str, f64)],
-        target: wgpu::TextureFormat,
+        targets: &[wgpu::TextureFormat],
     ) -> Self {
         let module = source.module(device);
         let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
@@ -41,7 +41,7 @@ impl ScreenPass {
                 module: &module,
                 entry_point: Some(fragment),
                 compilation_options,
-                targets: &[Some(target.into())],
+                targets: &targets.iter().map(|format| Some((*format).into())).collect::<Vec<_>>(),
             }),
             multiview_mask: None,
             cache: None,
@@ -49,23 +49,27 @@ impl ScreenPass {
         Self { device: device.clone(), label, pipeline, bound: Bound::default() }
     }
 
-    /// Records the pass over the whole of `output`.
-    pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, bindings: &[&Binding], output: &wgpu::TextureView) {
+    /// Records the pass over the whole of its targets.
+    pub(crate) fn record(&mut self, recorder: &mut Recorder<'_>, bindings: &[&Binding], targets: &[&wgpu::TextureView]) {
         let pipeline = &self.pipeline;
         let group = self.bound.group(&self.device, self.label, || pipeline.get_bind_group_layout(0), bindings);
-        let attachment = wgpu::RenderPassColorAttachment {
-            view: output,
-            depth_slice: None,
-            resolve_target: None,
-            // Every pixel is written: clearing is the cheapest way to say that nothing is kept.
-            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
-        };
+        let attachments: Vec<_> = targets.iter().map(|view| Some(attachment(view))).collect();
         let descriptor =
-            wgpu::RenderPassDescriptor { label: Some(self.label), color_attachments: &[Some(attachment)], ..Default::default() };
+            wgpu::RenderPassDescriptor { label: Some(self.label), color_attachments: &attachments, ..Default::default() };
         recorder.render(&descriptor, |pass| {
             pass.set_pipeline(pipeline);
             pass.set_bind_group(0, group, &[]);
             pass.draw(0..3, 0..1);
         });
+    }
+}
+
+fn attachment(view: &wgpu::TextureView) -> wgpu::RenderPassColorAttachment<'_> {
+    wgpu::RenderPassColorAttachment {
+        view,
+        depth_slice: None,
+        resolve_target: None,
+        // Every pixel is written: clearing is the cheapest way to say that nothing is kept.
+        ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
     }
 }

@@ -2,18 +2,16 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
+use glam::{DAffine3, DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use super::Mesh;
 
 /// What stands where at one frame.
 #[derive(Debug, Clone)]
 pub struct Frame {
-    /// Frame number, from 0.
-    pub index: u32,
     /// The camera.
     pub view: View,
-    /// The camera one frame earlier; the same at frame 0.
+    /// The camera one frame earlier; the same where nothing came before.
     pub previous_view: View,
     /// Everything that is drawn, in drawing order.
     pub instances: Vec<Instance>,
@@ -28,7 +26,7 @@ pub struct Instance {
     pub material: usize,
     /// Now.
     pub world_from_object: DAffine3,
-    /// One frame earlier; the same at frame 0.
+    /// One frame earlier; the same where nothing came before.
     pub previous_world_from_object: DAffine3,
     /// From 1, the same in every frame; 0 is the background.
     pub id: u32,
@@ -43,6 +41,8 @@ pub struct View {
     pub world_from_view: DMat3,
     /// How depth becomes a picture.
     pub projection: Projection,
+    /// How far the picture is moved within its plane, in clip space's units at w = 1: an off-axis projection.
+    pub shift_ndc: DVec2,
 }
 
 /// How depth becomes a picture. Depth is reversed: 1 at the near plane, 0 at infinity or at the far plane.
@@ -72,7 +72,12 @@ impl View {
     pub fn looking_at(position: DVec3, target: DVec3, up: DVec3, projection: Projection) -> Self {
         let backward = (position - target).try_normalize().unwrap_or(DVec3::Z);
         let right = up.cross(backward).try_normalize().unwrap_or_else(|| backward.any_orthonormal_vector());
-        Self { position, world_from_view: DMat3::from_cols(right, backward.cross(right), backward), projection }
+        Self {
+            position,
+            world_from_view: DMat3::from_cols(right, backward.cross(right), backward),
+            projection,
+            shift_ndc: DVec2::ZERO,
+        }
     }
 
     /// World to camera space (x right, y up, looking along -z).
@@ -85,7 +90,7 @@ impl View {
     /// Camera space to clip space for a picture of this width over height; y up, reversed depth.
     #[must_use]
     pub fn clip_from_view(&self, aspect: f64) -> DMat4 {
-        match self.projection {
+        let straight = match self.projection {
             Projection::Perspective { fov_y, near } => {
                 let y = 1.0 / (0.5 * fov_y).tan();
                 DMat4::from_cols(y / aspect * DVec4::X, y * DVec4::Y, -DVec4::W, near * DVec4::Z)
@@ -95,7 +100,8 @@ impl View {
                 let z = 1.0 / (far - near);
                 DMat4::from_cols(y / aspect * DVec4::X, y * DVec4::Y, z * DVec4::Z, DVec4::new(0.0, 0.0, far * z, 1.0))
             }
-        }
+        };
+        DMat4::from_translation(self.shift_ndc.extend(0.0)) * straight
     }
 
     /// Where a still point at a clip-space position of this view was in clip space of an earlier one. The two cameras' distance is

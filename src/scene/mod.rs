@@ -23,17 +23,19 @@ mod replicas;
 mod shapes;
 mod shipped;
 mod surface;
+mod tick;
 mod values;
 
 pub use frame::{Frame, Instance, Projection, View};
 pub use material::{AlphaMode, Material, Pattern, Texture, TextureRef, Wrap};
 pub use mesh::{Mesh, Vertex};
 pub use shipped::{SHIPPED, Shipped};
+pub use tick::Tick;
 
 use std::path::Path;
 use std::sync::Arc;
 
-use glam::Vec3;
+use glam::{DVec2, Vec3};
 
 use crate::error::{Error, Result};
 use camera::Camera;
@@ -99,11 +101,24 @@ impl Scene {
             let last = self.frames - 1;
             return Err(Error::Request(format!("scene '{}' has no frame {index}; choose one from 0 to {last}", self.name)));
         }
+        self.at(&Tick::of_frame(self, index), size)
+    }
+
+    /// What stands where at a tick of any sequence, also before the scene's first frame or after its last.
+    ///
+    /// # Errors
+    /// [`Error::Request`] for a picture without pixels.
+    pub fn at(&self, tick: &Tick, size: [u32; 2]) -> Result<Frame> {
         if size.contains(&0) {
             return Err(Error::Request(format!("a picture of {}x{} has no pixels; choose at least 1x1", size[0], size[1])));
         }
-        let times = [index, index.saturating_sub(1)].map(|index| f64::from(index) * self.time_step);
-        let view = self.camera.view(times[0], size);
+        let times = [tick.time_s, tick.previous_time_s];
+        let seen = |time: f64, shift_px: [f64; 2]| {
+            let mut view = self.camera.view(time, size);
+            view.shift_ndc = DVec2::new(2.0 * shift_px[0] / f64::from(size[0]), -2.0 * shift_px[1] / f64::from(size[1]));
+            view
+        };
+        let view = seen(times[0], tick.shift_px);
         let moment = Moment { times, view, size };
         let mut instances = Vec::new();
         let mut first_id = 1;
@@ -111,7 +126,7 @@ impl Scene {
             group.instances(&moment, first_id, &mut instances);
             first_id += group.id_count() as u32;
         }
-        Ok(Frame { index, view, previous_view: self.camera.view(times[1], size), instances })
+        Ok(Frame { view, previous_view: seen(times[1], tick.previous_shift_px), instances })
     }
 
     /// The name that the scene file gives to the object with this id; none for the background and for nameless ones.

@@ -3,7 +3,7 @@
 use dejag::capture::{Capture, Studio, ViewKind};
 use dejag::gpu::Gpu;
 use dejag::methods::{METHODS, Spec};
-use dejag::pass::{Context, Draw, Extras, Inputs, Jitter, Needs, Pass, Recorder, Target, Technique};
+use dejag::pass::{Context, Draw, Extras, FrameFacts, Inputs, Jitter, Needs, Pass, Recorder, Target, Technique};
 use dejag::picture::LinearPicture;
 use dejag::sampling;
 use dejag::scene::{SHIPPED, Scene};
@@ -111,7 +111,7 @@ impl Technique for Once {
 }
 
 impl Pass for Once {
-    fn next_draw(&mut self, k: u32) -> Option<Draw> {
+    fn next_draw(&mut self, k: u32, _: &FrameFacts) -> Option<Draw> {
         (k == 0).then(|| Draw { jitters: vec![self.0], target: Target::Output, ..Draw::default() })
     }
 

@@ -4,8 +4,10 @@
 
 use dejag::capture::{Capture, Studio};
 use dejag::methods::Spec;
-use dejag::pass::{Context, Draw, Encoding, Extras, Inputs, Jitter, Needs, Pass, Recorder, Role, Sum, Target, Technique};
-use dejag::scene::Scene;
+use dejag::pass::{
+    Context, Draw, Encoding, Extras, FrameFacts, Inputs, Jitter, Needs, Pass, Recorder, Role, Sum, Target, Technique,
+};
+use dejag::scene::{Scene, Tick};
 use wgpu::TextureFormat as Format;
 
 use crate::common;
@@ -165,7 +167,7 @@ fn screen(recorder: &mut Recorder<'_>, pipeline: &wgpu::RenderPipeline, group: &
 }
 
 impl Pass for TwoRoundsPass {
-    fn next_draw(&mut self, k: u32) -> Option<Draw> {
+    fn next_draw(&mut self, k: u32, _: &FrameFacts) -> Option<Draw> {
         let mask = Some(self.mask.clone());
         match (k, self.second) {
             (0, _) => Some(Draw::default()),
@@ -385,7 +387,7 @@ fn a_shot_moves_from_frame_to_frame() {
     let none = Spec::parse("none").expect("exists");
     let mut moved = studio.shot(&none, 0, SIZE).expect("builds");
     studio.take(&mut moved, None, &mut ()).expect("draws");
-    moved.move_to(7, false);
+    moved.move_to(Tick::of(&scene, 7), false);
     studio.take(&mut moved, None, &mut ()).expect("draws");
     let there = studio.capture(&none, 7, SIZE, &mut ()).expect("draws");
     let begun = studio.capture(&none, 0, SIZE, &mut ()).expect("draws");

@@ -143,7 +143,7 @@ impl Patches {
         let software = context.device.adapter_info().device_type == wgpu::DeviceType::Cpu;
         Self {
             compute: ComputePass::new(context.device, label, &modules[kind], entry_point, &computing),
-            apply: ScreenPass::new(context.device, "apply", &APPLY, "fs_apply", &picture, context.output.format),
+            apply: ScreenPass::new(context.device, "apply", &APPLY, "fs_apply", &picture, &[context.output.format]),
             may_copy: software && context.input == context.output && context.output.format == PATCH_FORMATS[kind],
             bytes: texture_bytes(&patches),
             patches: Binding::Texture(patches),
@@ -173,7 +173,7 @@ impl Patches {
         bindings[shared.len()..count].copy_from_slice(own);
         self.compute.record(recorder, &bindings[..count], Groups::Indirect(&lists.tally, list));
         if !copies {
-            self.apply.record(recorder, &[&color, touched, &self.patches], output);
+            self.apply.record(recorder, &[&color, touched, &self.patches], &[output]);
         }
     }
 

@@ -69,7 +69,7 @@ impl Viewer {
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
         let constants =
             [("WIDTH", width), ("HEIGHT", height), ("WEIGHT_BITS", weight_bits)].map(|(name, v)| (name, f64::from(v)));
-        ScreenPass::new(&self.device, "view", &SHOW, fragment, &constants, format).record(recorder, bindings, &view);
+        ScreenPass::new(&self.device, "view", &SHOW, fragment, &constants, &[format]).record(recorder, bindings, &[&view]);
         view
     }
 }
