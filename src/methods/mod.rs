@@ -9,6 +9,7 @@ mod none;
 mod smaa;
 mod spec;
 mod ssaa;
+mod taa;
 
 pub use spec::{Spec, Stage};
 
@@ -16,4 +17,4 @@ use crate::pass::Method;
 
 /// Every method there is, in the order they are listed.
 pub const METHODS: &[Method] =
-    &[none::METHOD, ssaa::METHOD, msaa::METHOD, fxaa::METHOD, mlaa::METHOD, smaa::METHOD, cmaa2::METHOD];
+    &[none::METHOD, ssaa::METHOD, msaa::METHOD, fxaa::METHOD, mlaa::METHOD, smaa::METHOD, cmaa2::METHOD, taa::METHOD];

@@ -4,10 +4,12 @@
 //! one function and one line.
 
 mod filters;
+mod jitter;
 mod patterns;
 mod sequences;
 
 pub use filters::{FILTERS, Filter, filter};
+pub use jitter::jitter_cycle;
 pub use patterns::{MAX_POINTS, PATTERNS, Pattern, pattern};
 use sequences::hilbert_index;
 pub use sequences::{hash, larcher_pillichshammer, owen_scrambled, radical_inverse};

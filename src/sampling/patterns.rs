@@ -15,6 +15,8 @@ pub struct Pattern {
     pub summary: &'static str,
     /// Whether the seed changes it.
     pub seeded: bool,
+    /// Whether its first points are spread as well as all of them are.
+    pub progressive: bool,
     /// Number of points, seed -> the points.
     pub points: fn(u32, u32) -> Vec<[f64; 2]>,
 }
@@ -25,54 +27,63 @@ pub const PATTERNS: &[Pattern] = &[
         name: "regular",
         summary: "the centres of n equal cells in rows: exact on constant areas, worst on near-axis edges",
         seeded: false,
+        progressive: false,
         points: regular,
     },
     Pattern {
         name: "rotated",
         summary: "the regular grid sheared both ways, so that no two samples share a row or column (4: RGSS)",
         seeded: false,
+        progressive: false,
         points: rotated,
     },
     Pattern {
         name: "jittered",
         summary: "one random point in each of n equal cells (Cook 1986)",
         seeded: true,
+        progressive: false,
         points: jittered,
     },
     Pattern {
         name: "random",
         summary: "independent random points: the worst case to compare with",
         seeded: true,
+        progressive: true,
         points: random,
     },
     Pattern {
         name: "halton",
         summary: "radical inverses in bases 2 and 3, from index 1 (Halton 1960)",
         seeded: false,
+        progressive: true,
         points: halton,
     },
     Pattern {
         name: "r2",
         summary: "multiples of the plastic number's powers, modulo 1 (Roberts 2018)",
         seeded: false,
+        progressive: true,
         points: r2,
     },
     Pattern {
         name: "hammersley",
         summary: "i/n against the radical inverse in base 2 (Hammersley 1960)",
         seeded: false,
+        progressive: false,
         points: hammersley,
     },
     Pattern {
         name: "hammersley-owen",
         summary: "Hammersley with an Owen-scrambled second coordinate (Owen 1995)",
         seeded: true,
+        progressive: false,
         points: hammersley_owen,
     },
     Pattern {
         name: "larcher",
         summary: "the digital net of Larcher and Pillichshammer (2001): lowest discrepancy of all",
         seeded: false,
+        progressive: false,
         points: larcher,
     },
 ];
