@@ -3,6 +3,7 @@
 mod clock;
 mod edges;
 mod score;
+pub mod sequence;
 
 pub use clock::{Clock, PassTime};
 pub use edges::edge_errors;

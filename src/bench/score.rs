@@ -194,7 +194,7 @@ fn make_reference(
     Ok((Truth { linear, display: reference.display.quantized(BitDepth::Eight) }, result))
 }
 
-fn exposed(linear: &LinearPicture, exposure: f32) -> Result<LinearPicture> {
+pub(super) fn exposed(linear: &LinearPicture, exposure: f32) -> Result<LinearPicture> {
     let scale = |[r, g, b, a]: [f32; 4]| [r * exposure, g * exposure, b * exposure, a];
     LinearPicture::new(linear.width(), linear.height(), linear.pixels().iter().map(|p| scale(*p)).collect())
 }

@@ -6,6 +6,7 @@
 
 pub mod analytic;
 mod cache;
+mod geometry;
 mod picture_filter;
 mod present;
 mod reference;
@@ -13,6 +14,7 @@ mod shot;
 mod view;
 
 pub use cache::{Cache, CacheEntry};
+pub use geometry::{Geometry, GeometryShot};
 pub use picture_filter::PictureFilter;
 pub use present::Present;
 pub use reference::{Halves, REFERENCE_SPEC, Reference, reference_key};

@@ -110,7 +110,6 @@ fn difference(a: &LinearPicture, b: &LinearPicture, exposure: f32) -> Option<Hal
 }
 
 /// A hash of everything that shapes a reference: what is drawn, with what, how, how large, and on what.
-#[must_use]
 ///
 /// # Errors
 /// [`crate::Error::Request`] for a picture without pixels.

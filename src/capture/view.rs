@@ -6,6 +6,7 @@ use crate::pass::Extras;
 use crate::picture::{DisplayPicture, LinearPicture};
 use crate::sampling::hash;
 
+use super::geometry::read_drawn;
 use super::shot::{Studio, Watch};
 
 /// Something to look at.
@@ -83,13 +84,11 @@ impl Studio<'_> {
         let extras = Extras { depth: true, motion: *kind == ViewKind::Motion, ids: *kind == ViewKind::Ids };
         let mut shot = self.shot_of(&[("none", &*plain.stages[0].technique)], frame, size, extras)?;
         self.take(&mut shot, None, &mut ())?;
-        let texture = shot.drawn(|targets| match kind {
+        let data = read_drawn(self, &shot, |targets| match kind {
             ViewKind::Motion => targets.motion.as_ref(),
             ViewKind::Ids => targets.ids.as_ref(),
             _ => Some(&targets.depth),
-        });
-        let texture = texture.ok_or_else(|| Error::Request("nothing was drawn".into()))?;
-        let data = self.gpu.read_linear(texture)?;
+        })?;
         let display = match kind {
             ViewKind::Motion => colored(&data, motion_color),
             ViewKind::Ids => colored(&data, |p| id_color(p[0])),

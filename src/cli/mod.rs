@@ -9,6 +9,7 @@ mod list;
 mod output;
 mod quiet_loader;
 mod score;
+mod sequence;
 mod watch;
 
 use std::process::ExitCode;
@@ -32,6 +33,7 @@ Examples:
   dejag capture model.glb -m ssaa:spp=64 --size 1280x720 -o model.exr
   dejag filter shots -m smaa -o smooth-shots
   dejag score edges fence -m none -m msaa -m ssaa:spp=16 --report report
+  dejag sequence pan -m none -m smaa
   dejag list methods
   dejag doctor
 
@@ -43,6 +45,7 @@ enum Verb {
     Capture(capture::Capture),
     Filter(filter::Filter),
     Score(score::Score),
+    Sequence(sequence::Sequence),
     List(list::List),
     Doctor(doctor::Doctor),
     Cache(cache::Cache),
@@ -85,6 +88,7 @@ pub fn main() -> ExitCode {
         Verb::Capture(verb) => verb.run(),
         Verb::Filter(verb) => verb.run(),
         Verb::Score(verb) => verb.run(),
+        Verb::Sequence(verb) => verb.run(),
         Verb::List(verb) => verb.run(),
         Verb::Doctor(verb) => verb.run(),
         Verb::Cache(verb) => verb.run(),

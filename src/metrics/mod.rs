@@ -16,6 +16,7 @@ mod difference;
 mod flip;
 mod pair;
 mod ssim;
+pub mod temporal;
 
 #[cfg(test)]
 mod formula;
@@ -76,16 +77,19 @@ pub enum Better {
     Lower,
     /// 1 is right, on either side of it is wrong.
     NearOne,
+    /// 0 is right, on either side of it is wrong.
+    NearZero,
 }
 
 impl Better {
-    /// `higher`, `lower` or `near 1`.
+    /// `higher`, `lower`, `near 1` or `near 0`.
     #[must_use]
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Higher => "higher",
             Self::Lower => "lower",
             Self::NearOne => "near 1",
+            Self::NearZero => "near 0",
         }
     }
 }

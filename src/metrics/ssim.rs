@@ -43,15 +43,29 @@ fn gaussian_window() -> [f64; WINDOW] {
 
 /// Mean index of two planes of one size, at least as large as the window, whose rows are `width` values.
 pub(super) fn plane_mean(width: usize, candidate: &[f64], reference: &[f64]) -> f64 {
+    mean_where(width, [candidate, reference], |_, _| true).unwrap_or(f64::NAN)
+}
+
+/// The mean over those windows whose middle, a column and a row, is wanted; none where no window fits or is wanted.
+pub(super) fn mean_where(width: usize, planes: [&[f64]; 2], wanted: impl Fn(usize, usize) -> bool + Sync) -> Option<f64> {
+    if width < WINDOW || planes[0].len() / width < WINDOW {
+        return None;
+    }
     let window = gaussian_window();
-    let rows: Vec<Vec<Moments>> = candidate
+    let rows: Vec<Vec<Moments>> = planes[0]
         .par_chunks_exact(width)
-        .zip(reference.par_chunks_exact(width))
+        .zip(planes[1].par_chunks_exact(width))
         .map(|(candidate, reference)| filter_row(candidate, reference, &window))
         .collect();
     // One sum a row, added in order: the same bits for any number of threads.
-    let sums: Vec<f64> = rows.par_windows(WINDOW).map(|rows| index_sum(rows, &window)).collect();
-    sums.iter().sum::<f64>() / (sums.len() * rows[0].len()) as f64
+    let middle = WINDOW / 2;
+    let sums: Vec<(f64, usize)> = rows
+        .par_windows(WINDOW)
+        .enumerate()
+        .map(|(y, rows)| index_sum(rows, &window, |x| wanted(x + middle, y + middle)))
+        .collect();
+    let (sum, count) = sums.iter().fold((0.0, 0), |(sum, count), row| (sum + row.0, count + row.1));
+    (count > 0).then(|| sum / count as f64)
 }
 
 /// The moments of a row, weighted along it, for each place where the window fits.
@@ -60,9 +74,11 @@ fn filter_row(candidate: &[f64], reference: &[f64], window: &[f64; WINDOW]) -> V
     products.windows(WINDOW).map(|under| weighted(under.iter(), window)).collect()
 }
 
-/// The sum of the index along one row of windows, given the filtered rows that the windows span.
-fn index_sum(rows: &[Vec<Moments>], window: &[f64; WINDOW]) -> f64 {
-    (0..rows[0].len()).map(|x| index(weighted(rows.iter().map(|row| &row[x]), window))).sum()
+/// The sum of the index along one row of windows, given the filtered rows that the windows span, and how many were wanted.
+fn index_sum(rows: &[Vec<Moments>], window: &[f64; WINDOW], wanted: impl Fn(usize) -> bool) -> (f64, usize) {
+    let places = (0..rows[0].len()).filter(|x| wanted(*x));
+    let indices = places.map(|x| index(weighted(rows.iter().map(|row| &row[x]), window)));
+    indices.fold((0.0, 0), |(sum, count), index| (sum + index, count + 1))
 }
 
 fn weighted<'m>(moments: impl Iterator<Item = &'m Moments>, window: &[f64; WINDOW]) -> Moments {

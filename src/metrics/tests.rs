@@ -42,7 +42,7 @@ fn equal_pictures_are_perfect() {
     for metric in METRICS {
         let perfect = match (metric.better, metric.name) {
             (_, "psnr" | "psnr-linear") => Figure::Infinite,
-            (Better::Lower, _) => Figure::Number(0.0),
+            (Better::Lower | Better::NearZero, _) => Figure::Number(0.0),
             (Better::Higher | Better::NearOne, _) => Figure::Number(1.0),
         };
         assert_eq!(metric.evaluate(&pair), perfect, "{}", metric.name);

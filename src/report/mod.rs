@@ -21,13 +21,13 @@ mod words;
 
 pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
 pub use lines::{LinePlot, Scale, Series};
-pub use terminal::{TABLE_WIDTH, table};
+pub use terminal::{TABLE_WIDTH, sequence_table, table};
 
-use crate::suite::Results;
+use serde::Serialize;
 
-/// The results as JSON, indented, its keys always in the same order, with a line feed at the end.
+/// Results as JSON, indented, its keys always in the same order, with a line feed at the end.
 #[must_use]
-pub fn json(results: &Results) -> String {
+pub fn json(results: &impl Serialize) -> String {
     let text = serde_json::to_string_pretty(results).expect("results have string keys and cannot fail to serialise");
     text + "\n"
 }

@@ -2,7 +2,14 @@
 
 use super::words::{self, figure, printable, score, shorten, three_digits, wrap};
 use crate::suite::{MethodResult, Outcome, Results, SceneResult, Timing};
-use comfy_table::{Cell, CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
+
+mod grid;
+mod ink;
+mod sequence;
+
+use grid::Grid;
+use ink::Ink;
+pub use sequence::sequence_table;
 
 /// The width that every line keeps to, in characters.
 pub const TABLE_WIDTH: usize = 100;
@@ -38,25 +45,14 @@ fn title(scene: &SceneResult, [width, height]: [u32; 2], ink: &Ink, lines: &mut 
     lines.extend(wrap(&words::reference(&scene.reference), TABLE_WIDTH).iter().map(|line| ink.dim(line)));
 }
 
-/// The scene's table. The layout crate sets the columns; what spans them (long names, errors, notes) goes between its lines.
+/// The scene's table. What spans its columns (long names, errors, notes) goes between its lines.
 fn block(scene: &SceneResult, ink: &Ink, lines: &mut Vec<String>) {
-    let rows: Vec<Option<[String; 12]>> = scene.methods.iter().map(figures).collect();
-    let room = room_for_names(&rows);
-    let mut table = Table::new();
-    table.load_style(TableStyle::new().header_separator(LineStyle::none().fill('─')));
-    table.set_content_arrangement(ContentArrangement::Disabled);
-    table.set_header(HEADINGS.map(Cell::new));
-    for (method, row) in scene.methods.iter().zip(&rows) {
-        if let Some(row) = row {
-            let name = name(method, room).unwrap_or_default();
-            table.add_row(std::iter::once(&name).chain(row).map(Cell::new));
-        }
-    }
-    set_columns(&mut table);
-    let mut laid_out = table.lines().map(|line| line.trim_end().to_string());
-    lines.extend(laid_out.by_ref().take(2).map(|line| ink.dim(&line)));
+    let scored = scene.methods.iter().filter_map(|method| Some((name(method)?, figures(method)?.to_vec())));
+    let grid = Grid::new(&HEADINGS, &scored.collect::<Vec<_>>());
+    lines.extend(grid.heading.iter().map(|line| ink.dim(line)));
+    let mut laid_out = grid.lines.into_iter();
     for method in &scene.methods {
-        push_method(method, room, &mut laid_out, ink, lines);
+        push_method(method, grid.room, &mut laid_out, ink, lines);
     }
 }
 
@@ -70,10 +66,8 @@ fn push_method(
     match &method.outcome {
         Outcome::Scored { timing, non_finite, .. } => {
             let marked = |line: &str| if timing.unbeaten { ink.green(line) } else { line.to_string() };
-            if name(method, room).is_none() {
-                let whole = format!("{}{}", star(timing), printable(&method.spec));
-                lines.push(marked(&shorten(&whole, TABLE_WIDTH)));
-            }
+            lines
+                .extend(name(method).filter(|name| name.chars().count() > room).map(|name| marked(&shorten(&name, TABLE_WIDTH))));
             lines.extend(laid_out.next().map(|line| marked(&line)));
             if let Some(found) = non_finite {
                 let [x, y] = found.first;
@@ -93,13 +87,12 @@ fn star(timing: &Timing) -> &'static str {
     if timing.unbeaten { "★ " } else { "  " }
 }
 
-/// The method with its mark, if it fits in that many characters.
-fn name(method: &MethodResult, room: usize) -> Option<String> {
+/// The method with its mark; none if it has no figures.
+fn name(method: &MethodResult) -> Option<String> {
     let Outcome::Scored { timing, .. } = &method.outcome else {
         return None;
     };
-    let name = format!("{}{}", star(timing), printable(&method.spec));
-    (name.chars().count() <= room).then_some(name)
+    Some(format!("{}{}", star(timing), printable(&method.spec)))
 }
 
 /// The figures of a line, after the method.
@@ -123,57 +116,6 @@ fn figures(method: &MethodResult) -> Option<[String; 12]> {
         scored("flip-p99"),
         scored("max-error"),
     ])
-}
-
-/// What the figures' columns, each with a gap of one before it, leave of the width.
-fn room_for_names(rows: &[Option<[String; 12]>]) -> usize {
-    let width = |text: &str| text.chars().count();
-    let column = |i: usize| {
-        let figures = rows.iter().flatten().map(|row| width(&row[i]));
-        1 + figures.fold(width(HEADINGS[i + 1]), usize::max)
-    };
-    TABLE_WIDTH.saturating_sub((0..12).map(column).sum())
-}
-
-fn set_columns(table: &mut Table) {
-    for (i, column) in table.column_iter_mut().enumerate() {
-        if i == 0 {
-            column.set_padding((0, 0));
-        } else {
-            column.set_padding((1, 0)).set_cell_alignment(CellAlignment::Right);
-        }
-    }
-}
-
-/// ANSI escapes, or none.
-struct Ink {
-    color: bool,
-}
-
-impl Ink {
-    fn paint(&self, code: u8, text: &str) -> String {
-        if self.color && !text.is_empty() { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_string() }
-    }
-
-    fn bold(&self, text: &str) -> String {
-        self.paint(1, text)
-    }
-
-    fn dim(&self, text: &str) -> String {
-        self.paint(2, text)
-    }
-
-    fn red(&self, text: &str) -> String {
-        self.paint(31, text)
-    }
-
-    fn green(&self, text: &str) -> String {
-        self.paint(32, text)
-    }
-
-    fn yellow(&self, text: &str) -> String {
-        self.paint(33, text)
-    }
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::*;
 use crate::Error;
 use crate::picture::DisplayPicture;
+use crate::suite::Results;
 use std::fs;
 use std::path::Path;
 

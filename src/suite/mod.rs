@@ -2,9 +2,14 @@
 
 mod edges;
 mod results;
+mod sequence;
 
 pub use edges::{EdgeCurve, EdgeErrors};
 pub use results::{
     AnalyticDistance, MethodResult, NoiseFloor, Outcome, PassTiming, ReferenceResult, ReferenceTiming, Results, SCHEMA_VERSION,
     SceneResult, Score, Spread, Stamp, Timing,
+};
+pub use sequence::{
+    Ghost, SEQUENCE_SCHEMA_VERSION, SequenceFigure, SequenceFigures, SequenceFrame, SequenceMethod, SequenceNonFinite,
+    SequenceOutcome, SequenceReference, SequenceReferenceTiming, SequenceResult, SequenceResults, SequenceTiming, WorstFrame,
 };
