@@ -4,12 +4,14 @@
 override DIAGONAL_REACH: i32 = 8;
 
 @group(0) @binding(0) var masks: texture_2d<u32>;
-// 4 x 4 patterns of what goes on at each end, in each a square of distances to the ends.
-@group(0) @binding(1) var areas: texture_2d<u32>;
+// 4 x 4 patterns of what goes on at each end, in each a square of distances to the ends: for staircases that rise to the right.
+@group(0) @binding(1) var rising_areas: texture_2d<u32>;
 @group(0) @binding(2) var<storage, read> tally: array<u32>;
 @group(0) @binding(3) var<storage, read> pixels: array<u32>;
 @group(0) @binding(4) var row_weights: texture_storage_2d<r32uint, write>;
 @group(0) @binding(5) var column_weights: texture_storage_2d<r32uint, write>;
+// And for those that fall.
+@group(0) @binding(6) var falling_areas: texture_2d<u32>;
 
 // A step of a staircase at a pixel: x the edge to its left (or, where the stairs fall to the right, to its right), y the one above.
 fn step_at(size: vec2<i32>, pixel: vec2<i32>, falls_right: bool) -> vec2<u32> {
@@ -36,9 +38,9 @@ fn climb(size: vec2<i32>, origin: vec2<i32>, direction: vec2<i32>, falls_right: 
     return Stairs(DIAGONAL_REACH - 1 + i32(whole), false);
 }
 
-fn stairs_area(down: Stairs, up: Stairs, crossing_down: vec2<u32>, crossing_up: vec2<u32>) -> vec2<f32> {
-    let ends = vec2<u32>(dot(crossing_down, vec2<u32>(2u, 1u)), dot(crossing_up, vec2<u32>(2u, 1u)));
-    return area(select(vec2<i32>(0), vec2<i32>(ends), vec2<bool>(down.ended, up.ended)), vec2<i32>(down.length, up.length));
+// What goes on at the end of a staircase; nothing where no end was found.
+fn stairs_end(stairs: Stairs, crossing: vec2<u32>) -> i32 {
+    return select(0, i32(dot(crossing, vec2<u32>(2u, 1u))), stairs.ended);
 }
 
 // Weights of the staircases through a pixel with an edge above; a staircase is at least three steps long.
@@ -56,7 +58,8 @@ fn diagonal_weights(size: vec2<i32>, pixel: vec2<i32>) -> vec2<f32> {
         let end = pixel + vec2<i32>(right.length, -right.length) + vec2<i32>(1, 0);
         let crossing_start = vec2<u32>(edges_at(size, start - vec2<i32>(1, 0)).y, edges_at(size, start).x);
         let crossing_end = vec2<u32>(edges_at(size, end).y, edges_at(size, end - vec2<i32>(0, 1)).x);
-        sum += stairs_area(left, right, crossing_start, crossing_end);
+        let ends = vec2<i32>(stairs_end(left, crossing_start), stairs_end(right, crossing_end));
+        sum += area(rising_areas, ends, vec2<i32>(left.length, right.length));
     }
 
     // From above left to below right.
@@ -70,7 +73,8 @@ fn diagonal_weights(size: vec2<i32>, pixel: vec2<i32>) -> vec2<f32> {
         let end = pixel + right.length + vec2<i32>(1, 0);
         let crossing_start = vec2<u32>(edges_at(size, start - vec2<i32>(1, 0)).y, edges_at(size, start - vec2<i32>(0, 1)).x);
         let crossing_end = vec2<u32>(edges_at(size, end).y, edges_at(size, end).x);
-        sum += stairs_area(left, right, crossing_start, crossing_end).yx;
+        let ends = vec2<i32>(stairs_end(left, crossing_start), stairs_end(right, crossing_end));
+        sum += area(falling_areas, ends, vec2<i32>(left.length, right.length)).yx;
     }
     return sum;
 }

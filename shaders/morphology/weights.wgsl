@@ -24,7 +24,7 @@ fn line_weights(axis: Axis, at: i32, line: i32) -> vec2<f32> {
     let end = line_end(axis, at, line, LINE_REACH);
     let distances = vec2<i32>(at - start, end - at);
     let ends = vec2<i32>(end_pattern(axis, start, line), end_pattern(axis, end + 1, line));
-    return area(ends, distances) * sharpened(axis, line, start, end, distances);
+    return area(areas, ends, distances) * sharpened(axis, line, start, end, distances);
 }
 
 // Where a line turns a right angle, its nearer half is blended less: it is a corner, not a slope.

@@ -5,6 +5,7 @@ mod creations;
 mod formats;
 mod frames;
 mod host;
+mod modes;
 mod picture;
 
 use dejag::methods::{METHODS, Spec};

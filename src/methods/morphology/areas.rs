@@ -34,13 +34,15 @@ impl AreaTable {
         Self { side, texels: (0..width * width).map(texel).collect() }
     }
 
-    /// Beside horizontal and vertical lines. Patterns: 1 an edge crosses above, 2 below, 3 both. `offset_px` is where the
-    /// pictures's samples lie, from the pixels' centres across the line; `smooth` softens short U shapes as SMAA does.
-    pub(crate) fn lines(reach: u32, offset_px: f64, smooth: bool) -> Self {
+    /// Beside horizontal and vertical lines. Patterns: 1 an edge crosses above, 2 below, 3 both. `offset_px` is how far along its
+    /// edges and above them the scene's line lies from the picture's: samples off the pixels' centres find it that far off.
+    /// `smooth` softens short U shapes as SMAA does.
+    pub(crate) fn lines(reach: u32, offset_px: Point, smooth: bool) -> Self {
         Self::from_fn(reach as usize + 1, |ends, distances| beside_line(ends, distances, offset_px, smooth))
     }
 
-    /// Beside staircases. Patterns: 1 and 2 by which of the two edges at the end goes on. `offset_px` as above, in x and y.
+    /// Beside staircases. Patterns: 1 and 2 by which of the two edges at the end goes on. `offset_px` as above, to the right and
+    /// up for a staircase that rises to the right.
     pub(crate) fn diagonals(reach: u32, offset_px: Point) -> Self {
         Self::from_fn(reach as usize + 1, |ends, distances| beside_diagonal(ends, distances, offset_px))
     }
@@ -65,20 +67,19 @@ impl AreaTable {
 }
 
 /// A line's patterns come as above = 1, below = 2; y points up here, the edge lies at 0.
-fn beside_line(ends: [usize; 2], [left, right]: [usize; 2], offset: f64, smooth: bool) -> Areas {
+fn beside_line(ends: [usize; 2], [left, right]: [usize; 2], [along, across]: Point, smooth: bool) -> Areas {
     let d = (left + right + 1) as f64;
-    let (above, below) = (0.5 + offset, -0.5 + offset);
-    let at = left as f64;
-    let whole = |from: f64, to: f64| cut_off([0.0, from], [d, to], at);
-    let from_start = |y: f64| cut_off([0.0, y], [d / 2.0, 0.0], at);
-    let to_end = |y: f64| cut_off([d / 2.0, 0.0], [d, y], at);
+    let (above, below) = (0.5 + across, -0.5 + across);
+    let (at, middle) = (left as f64, d / 2.0 + along);
+    // A line that is moved along itself goes on as it was where it ended.
+    let whole = |from: f64, to: f64| {
+        let lower = (to - from) / d * along;
+        cut_off([0.0, from - lower], [d, to - lower], at)
+    };
+    let from_start = |y: f64| cut_off([0.0, 2.0 * y * middle / d], [middle, 0.0], at);
+    let to_end = |y: f64| cut_off([middle, 0.0], [d, 2.0 * y * (d - middle) / d], at);
     let soften = |area: Areas| if smooth { area.map(|a| softened(a, d)) } else { area };
     let u_shape = |y: f64| sum(soften(from_start(y)), soften(to_end(y)));
-    // With samples off the centre, a Z is averaged with its two halves: a line that a search cut short joins without a seam.
-    let z_shape = |from: f64, to: f64| {
-        let direct = whole(from, to);
-        if offset == 0.0 { direct } else { sum(direct, sum(from_start(from), to_end(to))).map(|a| a / 2.0) }
-    };
     match ends {
         [1, 0] => from_start(above),
         [2, 0] => from_start(below),
@@ -86,10 +87,8 @@ fn beside_line(ends: [usize; 2], [left, right]: [usize; 2], offset: f64, smooth:
         [0, 2] => to_end(below),
         [1, 1] => u_shape(above),
         [2, 2] => u_shape(below),
-        [1, 2] => z_shape(above, below),
-        [2, 1] => z_shape(below, above),
-        [1, 3] | [3, 2] => whole(above, below),
-        [2, 3] | [3, 1] => whole(below, above),
+        [1, 2] | [1, 3] | [3, 2] => whole(above, below),
+        [2, 1] | [2, 3] | [3, 1] => whole(below, above),
         _ => [0.0; 2],
     }
 }

@@ -2,9 +2,9 @@
 
 use super::patch::{PatchedModules, Patches, Touch, patched};
 use super::show::Viewer;
-use super::{AreaTable, Blend, EdgeFinder, EdgeRule, Lists, Weights, check_size};
+use super::{AreaSet, Blend, EdgeFinder, EdgeRule, Lists, Weights, check_size};
 use crate::error::Result;
-use crate::pass::{Binding, ComputePass, Context, Encoding, Groups, Inputs, Needs, Pass, Recorder, Role, Technique};
+use crate::pass::{ComputePass, Context, Encoding, Groups, Inputs, Needs, Pass, Recorder, Role, Technique};
 use crate::shader::{Source, part};
 
 /// Weights of the lines through each pixel with an edge.
@@ -67,36 +67,25 @@ pub(crate) struct LineRules {
     pub(crate) blend: Blend,
 }
 
-/// Areas beside lines and beside staircases.
-#[derive(Debug)]
-pub(crate) struct Areas {
-    pub(crate) lines: AreaTable,
-    pub(crate) diagonals: AreaTable,
-}
-
 impl LineRules {
-    /// Exact ones, for samples at the pixels' centres.
-    pub(crate) fn exact_areas(&self) -> Areas {
-        Areas {
-            lines: AreaTable::lines(self.line_reach_px, 0.0, self.soften),
-            diagonals: AreaTable::diagonals(self.diagonal_reach_px, [0.0; 2]),
-        }
+    /// Exact areas for pictures whose samples lie at these places, from the pixels' centres in pixels, y down.
+    pub(crate) fn exact_areas(&self, context: &Context<'_>, places_px: &[[f64; 2]]) -> Vec<AreaSet> {
+        AreaSet::exact(context, [self.line_reach_px, self.diagonal_reach_px], self.soften, places_px)
     }
 
-    pub(crate) fn build_with(&self, context: &Context<'_>, areas: &Areas) -> Result<LineFilter> {
+    /// `areas` are those to choose from for each picture.
+    pub(crate) fn build_with(&self, context: &Context<'_>, areas: Vec<AreaSet>) -> Result<LineFilter> {
         check_size(context)?;
         let constants = [("LINE_REACH", f64::from(self.line_reach_px)), ("CORNER_ROUNDING", self.corner_rounding)];
         let all_sides = ("BLEND_ALL_SIDES", f64::from(u8::from(self.sides == BlendSides::All)));
         let reach = [("DIAGONAL_REACH", f64::from(self.diagonal_reach_px))];
-        let diagonals = (self.diagonal_reach_px > 0).then(|| Diagonals {
-            weigh: ComputePass::new(context.device, "diagonals", &DIAGONALS, "cs_diagonals", &reach),
-            areas: Binding::Texture(areas.diagonals.upload(context)),
-        });
+        let diagonals = (self.diagonal_reach_px > 0)
+            .then(|| ComputePass::new(context.device, "diagonals", &DIAGONALS, "cs_diagonals", &reach));
         Ok(LineFilter {
             lists: Lists::new(context)?,
             edges: EdgeFinder::new(context, &self.edges),
             weights: Weights::new(context, &WEIGHTS, &constants),
-            areas: Binding::Texture(areas.lines.upload(context)),
+            areas,
             viewer: Viewer::new(context),
             touch: if diagonals.is_some() { Touch::with_diagonals(context) } else { Touch::new(context) },
             diagonals,
@@ -116,42 +105,51 @@ impl Technique for LineRules {
     }
 
     fn build(&self, context: &Context<'_>) -> Result<Box<dyn Pass>> {
-        Ok(Box::new(self.build_with(context, &self.exact_areas())?))
+        Ok(Box::new(self.build_with(context, self.exact_areas(context, &[[0.0; 2]]))?))
     }
-}
-
-/// What finds staircases.
-#[derive(Debug)]
-struct Diagonals {
-    weigh: ComputePass,
-    areas: Binding,
 }
 
 #[derive(Debug)]
 pub(crate) struct LineFilter {
     lists: Lists,
     edges: EdgeFinder,
-    areas: Binding,
+    areas: Vec<AreaSet>,
     weights: Weights,
-    diagonals: Option<Diagonals>,
+    /// Finds staircases.
+    diagonals: Option<ComputePass>,
     touch: Touch,
     patches: Patches,
     viewer: Viewer,
 }
 
-impl Pass for LineFilter {
-    fn record(&mut self, recorder: &mut Recorder<'_>, _: u32, inputs: &Inputs<'_>, output: &wgpu::TextureView) {
+impl LineFilter {
+    /// Records the filter on a picture whose samples lie where the set of this number is for.
+    pub(crate) fn record_at(
+        &mut self,
+        recorder: &mut Recorder<'_>,
+        place: usize,
+        inputs: &Inputs<'_>,
+        output: &wgpu::TextureView,
+    ) {
         let Self { lists, edges, areas, weights, diagonals, touch, patches, .. } = self;
+        let areas = &areas[place];
         edges.record(recorder, lists, inputs, None);
-        weights.record(recorder, &edges.masks, Some(areas), lists);
+        weights.record(recorder, &edges.masks, Some([&areas.rows, &areas.columns]), lists);
         touch.record(recorder, edges, lists);
-        if let Some(Diagonals { weigh, areas }) = diagonals {
+        if let Some(diagonals) = diagonals {
             let (tally, pixels) = (&lists.tally_binding, &lists.second_pixels);
-            let bindings = [&edges.masks, areas, tally, pixels, &weights.rows, &weights.columns];
-            weigh.record(recorder, &bindings, Groups::Indirect(&lists.tally, Lists::DIAGONALS));
+            let [rising, falling] = &areas.diagonals;
+            let bindings = [&edges.masks, rising, tally, pixels, &weights.rows, &weights.columns, falling];
+            diagonals.record(recorder, &bindings, Groups::Indirect(&lists.tally, Lists::DIAGONALS));
         }
         let own = [&edges.masks, &weights.rows, &weights.columns];
         patches.record(recorder, (lists, Lists::TOUCHED), (&own, &touch.touched), inputs, output);
+    }
+}
+
+impl Pass for LineFilter {
+    fn record(&mut self, recorder: &mut Recorder<'_>, _: u32, inputs: &Inputs<'_>, output: &wgpu::TextureView) {
+        self.record_at(recorder, 0, inputs, output);
     }
 
     fn views(&self) -> &'static [&'static str] {

@@ -4,6 +4,7 @@
 //! one more writes the output (`apply`): what lies between is dispatched for the pixels on a list alone. Nothing depends on the
 //! lists' order, and a list has room for every pixel, so it cannot overflow.
 
+mod area_set;
 mod areas;
 mod edges;
 mod line_filter;
@@ -12,11 +13,9 @@ mod show;
 #[cfg(all(test, feature = "workbench"))]
 pub(super) mod tests;
 
-use areas::AreaTable;
+pub(super) use area_set::AreaSet;
 pub(super) use edges::{EdgeFinder, EdgeRule, Geometry, Predication, check_size, detect};
-#[cfg(all(test, feature = "workbench"))]
-pub(super) use line_filter::Areas;
-pub(super) use line_filter::{BlendSides, LineRules};
+pub(super) use line_filter::{BlendSides, LineFilter, LineRules};
 pub(super) use patch::{PatchedModules, Patches, SHARED_MODULES, Touch, patched};
 pub(super) use show::{SHOW, Viewer};
 
@@ -189,15 +188,15 @@ impl Weights {
         }
     }
 
-    /// `areas` stands between masks and lists, if the module reads any.
-    pub(super) fn record(&mut self, recorder: &mut Recorder<'_>, masks: &Binding, areas: Option<&Binding>, lists: &Lists) {
+    /// `areas`, those of rows and those of columns, stand between masks and lists, if the module reads any.
+    pub(super) fn record(&mut self, recorder: &mut Recorder<'_>, masks: &Binding, areas: Option<[&Binding; 2]>, lists: &Lists) {
         let halves = [
             (&mut self.by_row, &lists.pixels, &self.rows, Lists::ROWS),
             (&mut self.by_column, &lists.second_pixels, &self.columns, Lists::COLUMNS),
         ];
-        for (pass, pixels, weights, list) in halves {
+        for (axis, (pass, pixels, weights, list)) in halves.into_iter().enumerate() {
             let groups = Groups::Indirect(&lists.tally, list);
-            match areas {
+            match areas.map(|areas| areas[axis]) {
                 Some(areas) => pass.record(recorder, &[masks, areas, &lists.tally_binding, pixels, weights], groups),
                 None => pass.record(recorder, &[masks, &lists.tally_binding, pixels, weights], groups),
             }

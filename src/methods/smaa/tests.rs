@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use wgpu::TextureFormat::Rgba8Unorm;
 
-use super::rules;
+use super::{METHOD, rules};
 use crate::capture::Studio;
 use crate::gpu::{AdapterChoice, Gpu, TextureSpec};
 use crate::methods::Spec;
 use crate::methods::morphology::tests::published;
-use crate::methods::morphology::{Areas, LineRules};
+use crate::methods::morphology::{AreaSet, LineRules};
 use crate::pass::{Context, Inputs, Options, Pass as _, Recorder, Surface};
 use crate::picture::DisplayPicture;
 use crate::scene::Scene;
@@ -32,21 +32,21 @@ fn pictures(gpu: &Gpu) -> Vec<(String, DisplayPicture)> {
     pictures
 }
 
-fn texture(gpu: &Gpu, size: [u32; 2]) -> wgpu::TextureView {
+pub(super) fn texture(gpu: &Gpu, size: [u32; 2]) -> wgpu::TextureView {
     let texture = gpu.target(TextureSpec { label: "test", size, format: Rgba8Unorm, samples: 1 });
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-fn bytes(gpu: &Gpu, view: &wgpu::TextureView) -> Vec<u8> {
+pub(super) fn bytes(gpu: &Gpu, view: &wgpu::TextureView) -> Vec<u8> {
     gpu.read_bytes(view.texture(), wgpu::TextureAspect::All).expect("reads")
 }
 
-fn ours(gpu: &Gpu, input: &wgpu::TextureView, areas: impl FnOnce(&LineRules) -> Areas) -> Vec<u8> {
+fn ours(gpu: &Gpu, input: &wgpu::TextureView, areas: impl FnOnce(&LineRules, &Context<'_>) -> Vec<AreaSet>) -> Vec<u8> {
     let size = [input.texture().width(), input.texture().height()];
-    let rules = rules(&Options::parse("smaa", super::METHOD.options, Some(OPTIONS)).expect("valid"));
+    let rules = rules(&Options::parse("smaa", METHOD.options, Some(OPTIONS)).expect("valid"));
     let surface = Surface::display(Rgba8Unorm);
     let context = Context { device: &gpu.device, queue: &gpu.queue, size, input: surface, input_samples: 1, output: surface };
-    let mut pass = rules.build_with(&context, &areas(&rules)).expect("builds");
+    let mut pass = rules.build_with(&context, areas(&rules, &context)).expect("builds");
     let output = texture(gpu, size);
     let mut encoder = gpu.encoder();
     pass.record(&mut Recorder::new(&mut encoder), 0, &Inputs::picture(input), &output);
@@ -93,11 +93,11 @@ fn with_the_published_tables_it_is_the_crates_picture() {
         let input = texture(&gpu, picture.size());
         gpu.upload(input.texture(), picture.pixels()).expect("uploads");
         let theirs = the_crates(&gpu, &input);
-        let published = ours(&gpu, &input, |rules| Areas {
-            lines: published::line_table(rules.line_reach_px),
-            diagonals: published::diagonal_table(rules.diagonal_reach_px),
+        let published = ours(&gpu, &input, |rules, context| {
+            let diagonals = published::diagonal_table(rules.diagonal_reach_px);
+            vec![AreaSet::of(context, &published::line_table(rules.line_reach_px), &diagonals)]
         });
-        let exact = ours(&gpu, &input, LineRules::exact_areas);
+        let exact = ours(&gpu, &input, |rules, context| rules.exact_areas(context, &[[0.0; 2]]));
         let unchanged = bytes(&gpu, &input);
         let report = |what: &str, (share, largest, mean): (f64, u8, f64)| {
             println!(

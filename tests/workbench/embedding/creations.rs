@@ -92,7 +92,7 @@ fn look(host: &Host) -> Vec<Id> {
 }
 
 /// The kinds of which something was made or dropped meanwhile.
-fn made(host: &Host, meanwhile: impl FnOnce()) -> Vec<&'static str> {
+pub(super) fn made(host: &Host, meanwhile: impl FnOnce()) -> Vec<&'static str> {
     let before = look(host);
     meanwhile();
     let after = look(host);
@@ -100,7 +100,7 @@ fn made(host: &Host, meanwhile: impl FnOnce()) -> Vec<&'static str> {
 }
 
 /// Things alive, as wgpu counts them itself.
-fn alive(host: &Host) -> [usize; 6] {
+pub(super) fn alive(host: &Host) -> [usize; 6] {
     let hub = host.instance.generate_report().expect("wgpu's own core").hub;
     [&hub.buffers, &hub.textures, &hub.texture_views, &hub.bind_groups, &hub.compute_pipelines, &hub.render_pipelines]
         .map(|registry| registry.num_allocated)

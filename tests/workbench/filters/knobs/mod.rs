@@ -3,6 +3,7 @@
 mod color;
 mod geometry;
 mod lines;
+mod modes;
 mod multisampled;
 mod pictures;
 
@@ -53,6 +54,9 @@ const KNOBS: [(&str, &[Knob]); 4] = [
             ("scale", geometry::scale_raises_the_threshold),
             ("strength", geometry::strength_takes_it_back_at_silhouettes),
             ("blend", color::light_is_brighter_than_coded_values),
+            ("mode", modes::more_samples_are_nearer_to_the_reference),
+            ("reproject", modes::followed_motion_is_nearer_to_the_reference),
+            ("velocity_scale", modes::a_change_of_speed_takes_weight),
         ],
     ),
     (

@@ -1,7 +1,8 @@
-//! SMAA 1x: edges, the lines and staircases that they form, and each pixel blended by what those cut off it.
+//! SMAA: edges, the lines and staircases that they form, and each pixel blended by what those cut off it.
 //!
 //! After Jimenez, Echevarria, Sousa, Gutierrez 2012, "SMAA: Enhanced Subpixel Morphological Antialiasing": edges by luma, colour,
 //! depth or object with local contrast adaptation and predicated thresholds, searches along lines and diagonals, corner rounding.
+//! The modes beyond 1x, which filter pictures sampled at several places of each pixel, stand in [`modes`] and [`history`].
 //!
 //! What differs. Edges are bits and searches look at sixteen at a time, so there is no search table, and searches reach equally
 //! far both ways (published: 2n - 1 pixels to the left and up, 2n to the right and down). Areas are exact at every distance instead
@@ -14,13 +15,23 @@
 //!
 //! Cost: two passes over all pixels (edges, output), three more over those near an edge.
 
+mod history;
+mod modes;
+
 use crate::pass::{Kind, Method, OptionSpec, Options};
+use crate::shader::Source;
 
 use super::morphology::{Blend, BlendSides, EdgeRule, Geometry, LINE_MODULES, LineRules, Predication};
+use modes::{Mode, Several};
+
+const MODULES: [Source; 17] = {
+    let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = LINE_MODULES;
+    [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, history::AVERAGE, history::RESOLVE]
+};
 
 pub(super) const METHOD: Method = Method {
     name: "smaa",
-    summary: "morphological: edges as lines, staircases and corners, blended by exact areas (SMAA 1x)",
+    summary: "morphological: edges as lines, staircases and corners, blended by exact areas (SMAA 1x, S2x, T2x, 4x)",
     source: "Jimenez et al. 2012, SMAA: Enhanced Subpixel Morphological Antialiasing",
     options: &[
         OptionSpec {
@@ -80,9 +91,34 @@ pub(super) const METHOD: Method = Method {
             default: "0.4",
         },
         Blend::OPTION,
+        OptionSpec {
+            name: "mode",
+            help: "1x; s2x: two jittered draws a frame (no hardware 2x MSAA needed, so shaded twice); t2x: one, and the frame before; \
+                   4x: both",
+            kind: Kind::Choice(|| Mode::ALL.iter().map(|(name, _)| *name).collect()),
+            default: "1x",
+        },
+        OptionSpec {
+            name: "reproject",
+            help: "t2x and 4x: find the frame before by motion vectors; else it is mixed in where it stands",
+            kind: Kind::Switch,
+            default: "on",
+        },
+        OptionSpec {
+            name: "velocity_scale",
+            help: "t2x and 4x with reproject: how fast the frame before loses weight where speed changes; 0 trusts it everywhere",
+            kind: Kind::Number { min: 0.0, max: 80.0 },
+            default: "30",
+        },
     ],
-    configure: |options| Ok(Box::new(rules(options))),
-    shaders: &LINE_MODULES,
+    configure: |options| {
+        let rules = rules(options);
+        Ok(match Mode::named(options.word("mode")) {
+            None => Box::new(rules),
+            Some(mode) => Box::new(Several::new(rules, mode, options)),
+        })
+    },
+    shaders: &MODULES,
     layouts: &[],
 };
 
