@@ -39,8 +39,24 @@ fn weight_of(weights: Weights, i: i32) -> f32 {
     return six[i];
 }
 
+fn row_between(first: vec2<i32>, t: f32) -> vec4<f32> {
+    return between(
+        textureLoad(history, inside(first - vec2<i32>(1, 0)), 0),
+        textureLoad(history, inside(first), 0),
+        textureLoad(history, inside(first + vec2<i32>(1, 0)), 0),
+        textureLoad(history, inside(first + vec2<i32>(2, 0)), 0),
+        t,
+    );
+}
+
 // `first` is the pixel above left of the place, `share` how far it is to the next.
 fn interpolated_at(first: vec2<i32>, share: vec2<f32>) -> vec3<f32> {
+    if HISTORY_FILTER == 3u {
+        let above = row_between(first - vec2<i32>(0, 1), share.x);
+        let here = row_between(first, share.x);
+        let below = row_between(first + vec2<i32>(0, 1), share.x);
+        return between(above, here, below, row_between(first + vec2<i32>(0, 2), share.x), share.y).rgb;
+    }
     let columns = weights_at(share.x);
     let rows = weights_at(share.y);
     let reach = select(1, 0, HISTORY_FILTER == 2u);

@@ -40,6 +40,7 @@ pub(super) const RESOLVE: Source = Source {
         part!("common/srgb.wgsl"),
         part!("morphology/picture.wgsl"),
         part!("smaa/number.wgsl"),
+        part!("common/moved.wgsl"),
         part!("smaa/moved.wgsl"),
         part!("smaa/resolve.wgsl"),
     ],

@@ -88,7 +88,7 @@ pub(super) struct Settings {
 }
 
 pub(super) const WEIGHTS: [&str; 3] = ["none", "luma", "highlights"];
-pub(super) const HISTORIES: [&str; 3] = ["bilinear", "catmull-rom", "lanczos"];
+pub(super) const HISTORIES: [&str; 4] = ["bilinear", "catmull-rom", "lanczos", "areas"];
 pub(super) const BOXES: [&str; 4] = ["minmax", "rounded", "variance", "both"];
 pub(super) const DILATIONS: [&str; 3] = ["off", "cross", "full"];
 pub(super) const CLIPS: [&str; 3] = ["off", "clamp", "clip"];

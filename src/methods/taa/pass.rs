@@ -17,6 +17,7 @@ pub(super) const RESOLVE: Source = Source {
         part!("taa/neighborhood.wgsl"),
         part!("taa/memory.wgsl"),
         part!("taa/reproject.wgsl"),
+        part!("common/moved.wgsl"),
         part!("taa/interpolate.wgsl"),
         part!("taa/history.wgsl"),
         part!("taa/resolve.wgsl"),
