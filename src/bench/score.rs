@@ -61,6 +61,12 @@ pub trait Progress: Watch {
     fn advance(&mut self, samples: u64);
 }
 
+/// Tells nobody.
+impl Progress for () {
+    fn say(&mut self, _: String) {}
+    fn advance(&mut self, _: u64) {}
+}
+
 /// A scene's results and, if wanted, its pictures.
 #[derive(Debug)]
 pub struct SceneOutcome {

@@ -10,7 +10,7 @@ use clap::Args;
 
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
-use crate::bench::sequence::{Contestant, Course, SEQUENCE_REFERENCE, SequenceRequest, run_sequence};
+use crate::bench::sequence::{Contestant, Course, Probe, SEQUENCE_REFERENCE, SequenceRequest, run_sequence};
 use crate::capture::Cache;
 use crate::error::Error;
 use crate::gpu::Gpu;
@@ -65,6 +65,9 @@ pub(super) struct Sequence {
     /// What each frame is held against
     #[arg(long, value_name = "METHOD", default_value = SEQUENCE_REFERENCE)]
     reference: String,
+    /// Short runs of their own beside the sequence: crawl, convergence, response, sharpness, position, with commas between; all or none
+    #[arg(long, value_name = "LIST", default_value = "all", value_parser = parse_probes)]
+    probe: Probes,
     /// Write the results as JSON; - for stdout, instead of the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -125,7 +128,7 @@ impl Sequence {
             Error::Request(why) => Error::Request(format!("--reference: {why}")),
             other => other,
         })?;
-        Ok(SequenceRequest { course, size: self.size, reference })
+        Ok(SequenceRequest { course, size: self.size, reference, probes: self.probe.0.clone() })
     }
 
     /// The reference with its shutter.
@@ -175,6 +178,7 @@ impl Sequence {
         }
         give("--size", format!("{width}x{height}"));
         give("--reference", request.reference.to_string());
+        give("--probe", probe_list(&request.probes));
         give("--adapter", self.drawing.adapter.to_string());
         words
     }
@@ -186,6 +190,25 @@ impl Sequence {
         let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         output::print(&report::sequence_table(results, std::io::stdout().is_terminal() && !no_color))
     }
+}
+
+/// Which probes are run.
+#[derive(Debug, Clone)]
+struct Probes(BTreeSet<Probe>);
+
+/// Reads `all`, `none`, or probes with commas between.
+fn parse_probes(text: &str) -> Result<Probes, Error> {
+    match text.trim() {
+        "all" => Ok(Probes(Probe::ALL.into())),
+        "none" => Ok(Probes(BTreeSet::new())),
+        list => list.split(',').map(|name| name.trim().parse()).collect::<Result<_, _>>().map(Probes),
+    }
+}
+
+/// As [`parse_probes`] reads them.
+fn probe_list(probes: &BTreeSet<Probe>) -> String {
+    let names: Vec<&str> = probes.iter().map(|probe| probe.name()).collect();
+    if names.is_empty() { "none".into() } else { names.join(",") }
 }
 
 /// Reads `A..B`.

@@ -5,6 +5,7 @@ use crate::suite::{MethodResult, Outcome, Results, SceneResult, Timing};
 
 mod grid;
 mod ink;
+mod probes;
 mod sequence;
 
 use grid::Grid;

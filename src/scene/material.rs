@@ -54,6 +54,21 @@ impl Default for Material {
     }
 }
 
+impl Material {
+    /// Multiplies the light that it sends out by itself.
+    pub(super) fn dim(&mut self, factor: f32) {
+        self.emissive *= factor;
+        if self.unlit {
+            self.base_color = (self.base_color.truncate() * factor).extend(self.base_color.w);
+            match &mut self.pattern {
+                Pattern::Checker { other, .. } | Pattern::Stripes { other, .. } => *other *= factor,
+                Pattern::Gradient { top } => *top *= factor,
+                Pattern::None | Pattern::ZonePlate { .. } | Pattern::Bumps { .. } | Pattern::Leaf => {}
+            }
+        }
+    }
+}
+
 /// What opacity does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum AlphaMode {

@@ -129,6 +129,17 @@ impl Scene {
         Ok(Frame { view, previous_view: seen(times[1], tick.previous_shift_px), instances })
     }
 
+    /// The same scene with all its light multiplied by a factor: lights, background, and what shines by itself.
+    #[must_use]
+    pub fn dimmed(&self, factor: f32) -> Self {
+        let mut scene = self.clone();
+        scene.light.color *= factor;
+        scene.ambient *= factor;
+        scene.background *= factor;
+        scene.materials.iter_mut().for_each(|material| material.dim(factor));
+        scene
+    }
+
     /// The name that the scene file gives to the object with this id; none for the background and for nameless ones.
     #[must_use]
     pub fn object_name(&self, id: u32) -> Option<&str> {

@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{NoiseFloor, Spread, Stamp};
+use super::{NoiseFloor, ProbeFigures, Spread, Stamp};
 use crate::metrics::Figure;
 
 /// Version of the JSON's shape; it rises when a key changes its meaning or goes away.
@@ -118,6 +118,9 @@ pub struct SequenceFigures {
     /// Pixels that are NaN or infinite; absent if there are none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub non_finite: Option<SequenceNonFinite>,
+    /// What was found in short runs of their own.
+    #[serde(default, skip_serializing_if = "ProbeFigures::is_empty")]
+    pub probes: ProbeFigures,
     /// Depends on the clock.
     pub timing: SequenceTiming,
 }

@@ -10,7 +10,7 @@ use crate::methods::Spec;
 use crate::metrics::temporal::{Ledger, Truth, Verdict};
 use crate::pass::{Extras, Technique};
 use crate::suite::{
-    Ghost, SequenceFigure, SequenceFigures, SequenceNonFinite, SequenceOutcome, SequenceTiming, Spread, WorstFrame,
+    Ghost, ProbeFigures, SequenceFigure, SequenceFigures, SequenceNonFinite, SequenceOutcome, SequenceTiming, Spread, WorstFrame,
 };
 
 /// A combination of techniques, in a registry or not.
@@ -91,7 +91,7 @@ impl Runner {
         Ok(())
     }
 
-    pub(super) fn outcome(self, moments: &[Moment]) -> SequenceOutcome {
+    pub(super) fn outcome(self, moments: &[Moment], probes: ProbeFigures) -> SequenceOutcome {
         let running = match self {
             Self::Running(running) => running,
             Self::Failed(error) => return SequenceOutcome::Failed { error },
@@ -110,6 +110,7 @@ impl Runner {
             figures: ledger.verdicts().into_iter().map(figure).collect(),
             ghost: Ghost { ages: ledger.ghost().by_age(), trail: ledger.ghost().trail() },
             non_finite: non_finite(&ledger, index),
+            probes,
             timing: SequenceTiming { frame_ms: Spread::of(frame_ms) },
         }))
     }

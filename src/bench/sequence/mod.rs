@@ -4,10 +4,14 @@
 
 mod contestant;
 mod course;
+mod probes;
 mod reference;
 
 pub use contestant::Contestant;
 pub use course::{Course, Moment, STILL_FRAMES, Timeline};
+pub use probes::Probe;
+
+use std::collections::BTreeSet;
 
 use super::Progress;
 use crate::capture::{Cache, Capture, Studio};
@@ -33,6 +37,8 @@ pub struct SequenceRequest {
     pub size: [u32; 2],
     /// What each frame is held against. One with an open shutter integrates over time as well.
     pub reference: Spec,
+    /// Which runs of their own are made beside the sequence.
+    pub probes: BTreeSet<Probe>,
 }
 
 /// Is handed the pictures of each frame as they are made.
@@ -84,7 +90,8 @@ impl SequenceRequest {
     pub fn work(&self, scene: &Scene, contestants: &[Contestant<'_>]) -> Result<u64> {
         let frames = self.course.timeline(scene)?.moments().len() as u64;
         let methods: u64 = contestants.iter().map(|c| u64::from(c.samples_per_pixel())).sum();
-        Ok(frames * (u64::from(self.reference.first_needs().samples_per_pixel) + methods))
+        let reference = u64::from(self.reference.first_needs().samples_per_pixel);
+        Ok(frames * reference + (frames + probes::frames(&self.probes)) * methods)
     }
 }
 
@@ -126,9 +133,10 @@ pub fn run_sequence(
             progress.advance(u64::from(contestant.samples_per_pixel()));
         }
     }
-    let methods = contestants.iter().zip(runners).map(|(contestant, runner)| SequenceMethod {
+    let probes = probes::run(&mut studio, request, contestants, cache, progress)?;
+    let methods = contestants.iter().zip(runners).zip(probes).map(|((contestant, runner), probes)| SequenceMethod {
         spec: contestant.label.clone(),
-        outcome: runner.outcome(timeline.moments()),
+        outcome: runner.outcome(timeline.moments(), probes),
     });
     Ok(SequenceResult {
         scene: scene.name.clone(),

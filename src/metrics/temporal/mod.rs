@@ -5,11 +5,15 @@
 //! sequence is summed up by, [`Ledger`] sums it up.
 
 mod change;
+mod edge_position;
 mod ghost;
 mod ledger;
 mod measures;
+mod response;
 mod ridges;
+mod sharpness;
 mod similarity;
+mod steadiness;
 mod tracks;
 mod yardstick;
 
@@ -17,11 +21,15 @@ mod yardstick;
 mod sample;
 
 pub use change::{Change, change, mean_square, mean_square_of_steps};
+pub use edge_position::edge_displacements;
 pub use ghost::{AGES, GHOST_FLOOR, GhostSums, SETTLED_AGES, Uncovered};
 pub use ledger::{FrameRow, Ledger, Verdict, Worst};
 pub use measures::{MEASURES, Measure};
+pub use response::response;
 pub use ridges::{Continuity, Ridges};
+pub use sharpness::sharpness;
 pub use similarity::similarity;
+pub use steadiness::{Crawl, Steadiness};
 pub use tracks::{Flow, GAPS, Place, Tracks};
 pub use yardstick::{Truth, Yardstick};
 

@@ -1,6 +1,6 @@
 //! A sequence's results as tables.
 
-use super::{Grid, Ink, TABLE_WIDTH};
+use super::{Grid, Ink, TABLE_WIDTH, probes};
 use crate::metrics::Figure;
 use crate::metrics::temporal::MEASURES;
 use crate::report::words::{self, NONE, printable, shorten, wrap};
@@ -31,6 +31,7 @@ pub fn sequence_table(results: &SequenceResults, color: bool) -> String {
     }
     lines.push(String::new());
     lines.extend(wrap(LEGEND, TABLE_WIDTH).iter().map(|line| ink.dim(line)));
+    probes::push(&results.result, &ink, &mut lines);
     lines.extend(wrap(&words::stamp(&results.stamp), TABLE_WIDTH).iter().map(|line| ink.dim(line)));
     lines.join("\n") + "\n"
 }
@@ -62,9 +63,7 @@ fn push_method(
     let name = printable(&method.spec);
     match &method.outcome {
         SequenceOutcome::Measured(figures) => {
-            if name.chars().count() > room {
-                lines.push(shorten(&name, TABLE_WIDTH));
-            }
+            lines.extend(name_line(&name, room));
             lines.extend(laid_out.next());
             if let Some(found) = figures.non_finite {
                 let note = format!(
@@ -114,7 +113,12 @@ fn figure<'f>(figures: &'f SequenceFigures, name: &str) -> Option<&'f SequenceFi
     figures.figure(MEASURES.iter().find(|measure| measure.name == name)?.id)
 }
 
-fn shown(figure: Figure, number: impl Fn(f64) -> String) -> String {
+/// A line of its own for a name that the grid has no room for.
+pub(super) fn name_line(name: &str, room: usize) -> Option<String> {
+    (name.chars().count() > room).then(|| shorten(name, TABLE_WIDTH))
+}
+
+pub(super) fn shown(figure: Figure, number: impl Fn(f64) -> String) -> String {
     match figure {
         Figure::Number(x) => number(x),
         Figure::Infinite => "inf".into(),
