@@ -7,7 +7,8 @@ override FORGETTING: f32 = 0.16666667;
 // Most frames that a mean stands for at rest.
 override MOST_STILL: f32 = 64.0;
 // Frames that a mean still stands for that was clipped by as much as the box is wide.
-override MOST_CLIPPED: f32 = 4.0;
+override MOST_CLIPPED: f32 = 2.0;
+override CLIP_GAIN: f32 = 4.0;
 // Whether history is kept in halves.
 override IN_HALVES: bool = true;
 // Whether a pixel without history is filled by a filter.
@@ -107,7 +108,7 @@ fn fs_resolve(@builtin(position) position: vec4<f32>) -> Resolved {
         box = Box(min(box.low, expanded(codes.low / 511.0)), max(box.high, expanded(codes.high / 511.0)));
     }
     let rectified = rectified(to_working(past.color), box);
-    var frames = mix(past.frames, min(past.frames, MOST_CLIPPED), min(rectified.excess, 1.0));
+    var frames = mix(past.frames, min(past.frames, MOST_CLIPPED), min(CLIP_GAIN * rectified.excess, 1.0));
     frames = min(frames + now.weight, select(MOST_STILL, MOST_MOTION, speed_px >= WHOLE_PX));
 
     var sample = now.sample;

@@ -16,6 +16,7 @@ struct Preset {
     reject: &'static str,
     sharpen: f64,
     cycle: u32,
+    fallback: &'static str,
 }
 
 const PRESETS: [Preset; 3] = [
@@ -27,36 +28,39 @@ const PRESETS: [Preset; 3] = [
         gamma_motion: 1.0,
         memory: 0,
         most: 16,
-        most_motion: 8,
-        reject: "off",
+        most_motion: 4,
+        reject: "depth",
         sharpen: 0.0,
         cycle: 16,
+        fallback: "off",
     },
     Preset {
         name: "balanced",
-        history: "lanczos",
+        history: "areas",
         box_kind: "minmax",
         gamma: 1.5,
         gamma_motion: 1.0,
-        memory: 6,
+        memory: 5,
         most: 32,
         most_motion: 8,
         reject: "ids",
         sharpen: 0.0,
         cycle: 32,
+        fallback: "off",
     },
     Preset {
         name: "quality",
-        history: "lanczos",
+        history: "areas",
         box_kind: "minmax",
         gamma: 1.5,
         gamma_motion: 1.0,
-        memory: 6,
+        memory: 5,
         most: 64,
         most_motion: 8,
         reject: "ids",
         sharpen: 0.0,
         cycle: 64,
+        fallback: "smaa",
     },
 ];
 
@@ -234,8 +238,8 @@ impl Settings {
         OptionSpec {
             name: "fallback",
             help: "what smooths a pixel that has no history yet",
-            kind: Kind::Choice(|| vec!["off", "fxaa", "mlaa", "smaa", "cmaa2"]),
-            default: "off",
+            kind: Kind::Choice(|| vec!["auto", "off", "fxaa", "mlaa", "smaa", "cmaa2"]),
+            default: "auto",
         },
     ];
 
@@ -269,7 +273,7 @@ impl Settings {
             reject: word_or("reject", preset.reject),
             depth_step: number("depth_step"),
             sharpen: options.number("sharpen").unwrap_or(preset.sharpen),
-            fallback: options.word("fallback"),
+            fallback: word_or("fallback", preset.fallback),
         }
     }
 
