@@ -12,3 +12,4 @@ mod filters;
 mod goldens;
 mod pictures;
 mod rounds;
+mod sequence;
