@@ -37,7 +37,7 @@ Examples:
   dejag list methods
   dejag doctor
 
-Exit codes: 0 fine; 2 a request that makes no sense; 3 could not run or write; 4 nothing was \
+Exit codes: 0 fine; 1 a bar was missed; 2 a request that makes no sense; 3 could not run or write; 4 nothing was \
 compared; 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
@@ -45,7 +45,7 @@ enum Verb {
     Capture(capture::Capture),
     Filter(filter::Filter),
     Score(score::Score),
-    Sequence(sequence::Sequence),
+    Sequence(Box<sequence::Sequence>),
     List(list::List),
     Doctor(doctor::Doctor),
     Cache(cache::Cache),

@@ -32,6 +32,39 @@ pub fn write_bytes_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
     write_atomically(path, |file| file.write_all(bytes))
 }
 
+/// A file that is written over some time and appears whole or not at all. Dropped before [`Staged::publish`], it leaves nothing.
+#[derive(Debug)]
+pub(super) struct Staged {
+    target: PathBuf,
+    temporary: NamedTempFile,
+}
+
+impl Staged {
+    /// Begins a file that is to become `path`.
+    pub(super) fn begin(path: &Path) -> Result<Self> {
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+        let temporary = temporary_beside(&target).map_err(Error::io("write", path))?;
+        Ok(Self { target, temporary })
+    }
+
+    /// To write to; flush it before the file is published.
+    pub(super) fn writer(&self) -> Result<BufWriter<File>> {
+        let file = self.temporary.as_file().try_clone().map_err(Error::io("write", &self.target))?;
+        Ok(BufWriter::new(file))
+    }
+
+    /// Gives the file its name.
+    pub(super) fn publish(self) -> Result<()> {
+        self.temporary.persist(&self.target).map_err(|failed| Error::io("write", &self.target)(failed.error))?;
+        Ok(())
+    }
+
+    /// Where it will be, for errors.
+    pub(super) fn target(&self) -> &Path {
+        &self.target
+    }
+}
+
 fn replace(target: &Path, write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>) -> io::Result<()> {
     let temporary = temporary_beside(target)?;
     fill(temporary.as_file(), write)?;

@@ -3,6 +3,7 @@
 //! A [`LinearPicture`] holds linear light, a [`DisplayPicture`] holds sRGB-coded values; what expects one cannot be given the
 //! other. Both are 32 bit floats, red, green, blue and alpha, the top row first. Alpha is coverage and is never coded.
 
+mod apng;
 mod atomic;
 mod encode;
 mod file;
@@ -16,6 +17,7 @@ mod srgb;
 #[cfg(test)]
 mod tests;
 
+pub use apng::{Apng, side_by_side};
 pub use atomic::{write_atomically, write_bytes_atomically};
 pub use file::{Carried, PictureFile};
 pub use integers::BitDepth;

@@ -1,4 +1,4 @@
-//! The folder a report lives in: built beside its place, then put there whole.
+//! The folder that a report or frames live in: built beside its place, then put there whole.
 
 use crate::picture::write_bytes_atomically;
 use crate::{Error, Result};
@@ -6,15 +6,37 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, TempDir};
 
-/// The file that marks a folder as a report, which may be replaced.
-const MARKER: &str = "dejag-report.txt";
+/// What a folder holds, and how it is marked as one that may be replaced.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Contents {
+    /// The file that marks it.
+    marker: &'static str,
+    /// What the file says.
+    text: &'static [u8],
+    /// In words.
+    what: &'static str,
+}
 
-const MARKER_TEXT: &[u8] = b"This folder is a report of dejag. Open index.html.\n\
-    The next report to this place replaces the whole folder; keep nothing of your own in it.\n";
+/// A report.
+pub(super) const REPORT: Contents = Contents {
+    marker: "dejag-report.txt",
+    text: b"This folder is a report of dejag. Open index.html.\n\
+        The next report to this place replaces the whole folder; keep nothing of your own in it.\n",
+    what: "a report",
+};
+
+/// The frames of a sequence.
+pub(super) const FRAMES: Contents = Contents {
+    marker: "dejag-frames.txt",
+    text: b"This folder holds frames that dejag drew, a folder for each method.\n\
+        The next frames to this place replace the whole folder; keep nothing of your own in it.\n",
+    what: "frames",
+};
 
 /// A folder that is being built. Dropped before [`Staging::publish`], it leaves nothing.
 #[derive(Debug)]
 pub(super) struct Staging {
+    contents: Contents,
     target: PathBuf,
     folder: TempDir,
 }
@@ -22,14 +44,14 @@ pub(super) struct Staging {
 impl Staging {
     /// Begins a folder that is to become `target`, whose parents are created when it does. Refuses a target that holds something
     /// else.
-    pub(super) fn begin(target: &Path) -> Result<Self> {
+    pub(super) fn begin(contents: Contents, target: &Path) -> Result<Self> {
         // A link keeps pointing where it did; what it points to is replaced.
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_path_buf());
-        refuse_foreign(&target)?;
+        contents.refuse_foreign(&target)?;
         let nearest = nearest_existing(&parent_of(&target)?);
         let folder = Builder::new().prefix(".dejag-report-").tempdir_in(&nearest).map_err(Error::io("write into", &nearest))?;
-        write_bytes_atomically(&folder.path().join(MARKER), MARKER_TEXT)?;
-        Ok(Self { target, folder })
+        write_bytes_atomically(&folder.path().join(contents.marker), contents.text)?;
+        Ok(Self { contents, target, folder })
     }
 
     /// Where the folder is being built.
@@ -39,7 +61,7 @@ impl Staging {
 
     /// Puts the folder in its place, and an older report out of it.
     pub(super) fn publish(self) -> Result<()> {
-        refuse_foreign(&self.target)?;
+        self.contents.refuse_foreign(&self.target)?;
         let parent = parent_of(&self.target)?;
         fs::create_dir_all(&parent).map_err(Error::io("create the folder", &parent))?;
         // The old report's way back, should the new one not get in: it is deleted only after.
@@ -60,18 +82,23 @@ impl Staging {
     }
 }
 
-/// Anything but nothing, an empty folder or a report is somebody's, and not ours to replace.
-fn refuse_foreign(target: &Path) -> Result<()> {
-    let Ok(found) = fs::metadata(target) else { return Ok(()) };
-    let what = if !found.is_dir() {
-        "is a file"
-    } else if target.join(MARKER).is_file() || is_empty(target)? {
-        return Ok(());
-    } else {
-        "holds files that are not a report of dejag"
-    };
-    let target = target.display();
-    Err(Error::Request(format!("{target} {what} and will not be replaced; name a new or empty folder, or clear it yourself")))
+impl Contents {
+    /// Anything but nothing, an empty folder or one of ours is somebody's, and not ours to replace.
+    fn refuse_foreign(&self, target: &Path) -> Result<()> {
+        let Ok(found) = fs::metadata(target) else { return Ok(()) };
+        let Self { marker, what, .. } = self;
+        let found = if !found.is_dir() {
+            "is a file".to_owned()
+        } else if target.join(marker).is_file() || is_empty(target)? {
+            return Ok(());
+        } else {
+            format!("holds files that are not {what} of dejag")
+        };
+        let target = target.display();
+        Err(Error::Request(format!(
+            "{target} {found} and will not be replaced; name a new or empty folder, or clear it yourself"
+        )))
+    }
 }
 
 fn is_empty(folder: &Path) -> Result<bool> {
@@ -81,7 +108,7 @@ fn is_empty(folder: &Path) -> Result<bool> {
 fn parent_of(target: &Path) -> Result<PathBuf> {
     if target.file_name().is_none() {
         let target = target.display();
-        return Err(Error::Request(format!("'{target}' names no folder that a report could become; name a new folder")));
+        return Err(Error::Request(format!("'{target}' names no folder that could be written; name a new folder")));
     }
     match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => Ok(parent.to_path_buf()),
@@ -107,7 +134,7 @@ mod tests {
     }
 
     fn publish(target: &Path, file: &str) -> Result<()> {
-        let staging = Staging::begin(target)?;
+        let staging = Staging::begin(REPORT, target)?;
         fs::write(staging.path().join(file), b"content").expect("written");
         staging.publish()
     }
@@ -118,14 +145,14 @@ mod tests {
         let target = home.path().join("deep/er/report");
         publish(&target, "first").expect("made");
         publish(&target, "second").expect("replaced");
-        assert_eq!(names(&target), [MARKER, "second"]);
+        assert_eq!(names(&target), [REPORT.marker, "second"]);
         assert_eq!(names(target.parent().expect("a parent")), ["report"]);
     }
 
     #[test]
     fn what_is_dropped_leaves_nothing() {
         let home = tempfile::tempdir().expect("a folder");
-        drop(Staging::begin(&home.path().join("deep/er/report")).expect("begun"));
+        drop(Staging::begin(REPORT, &home.path().join("deep/er/report")).expect("begun"));
         assert!(names(home.path()).is_empty());
     }
 
@@ -151,7 +178,7 @@ mod tests {
     fn a_folder_that_was_filled_meanwhile_is_refused() {
         let home = tempfile::tempdir().expect("a folder");
         let target = home.path().join("report");
-        let staging = Staging::begin(&target).expect("begun");
+        let staging = Staging::begin(REPORT, &target).expect("begun");
         fs::create_dir(&target).expect("made");
         fs::write(target.join("mine.txt"), b"").expect("written");
         assert!(staging.publish().is_err());
@@ -160,6 +187,6 @@ mod tests {
 
     #[test]
     fn a_root_is_no_report() {
-        assert!(matches!(Staging::begin(Path::new("/")), Err(Error::Request(_))));
+        assert!(matches!(Staging::begin(REPORT, Path::new("/")), Err(Error::Request(_))));
     }
 }

@@ -1,6 +1,6 @@
 //! The report as a folder with one page that opens from disk.
 
-use super::folder::Staging;
+use super::folder::{self, Staging};
 use super::labels::Labels;
 use super::{json, page};
 use crate::picture::{BitDepth, DisplayPicture, write_bytes_atomically};
@@ -102,7 +102,7 @@ impl HtmlReport {
     ///
     /// [`Error::Request`] if `dir` holds anything but a report; [`Error::Io`] if it cannot be written.
     pub fn begin(dir: &Path) -> Result<Self> {
-        let staging = Staging::begin(dir)?;
+        let staging = Staging::begin(folder::REPORT, dir)?;
         let pictures = staging.path().join("pictures");
         std::fs::create_dir(&pictures).map_err(Error::io("create the folder", &pictures))?;
         Ok(Self { staging, scenes: Vec::new() })
@@ -162,7 +162,7 @@ impl HtmlReport {
 }
 
 /// A name as part of a file's name on any system: lower-case letters, digits and hyphens.
-fn slug(name: &str) -> String {
+pub(super) fn slug(name: &str) -> String {
     let plain = name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' });
     let slug: String = plain.take(48).collect();
     let slug = slug.trim_matches('-');

@@ -4,6 +4,7 @@ mod axis;
 mod edge_part;
 mod folder;
 mod frame;
+mod frames_folder;
 mod html;
 mod labels;
 mod lines;
@@ -19,6 +20,7 @@ mod terminal;
 mod tests;
 mod words;
 
+pub use frames_folder::FramesFolder;
 pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
 pub use lines::{LinePlot, Scale, Series};
 pub use terminal::{TABLE_WIDTH, sequence_table, table};

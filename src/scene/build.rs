@@ -35,6 +35,7 @@ pub(super) fn scene(text: &str, path: &str, base_dir: &Path) -> Result<Scene> {
     for texture in &mut builder.textures {
         texture.anisotropy = anisotropy;
     }
+    doc.thresholds.check(&root.key("thresholds"))?;
     Ok(Scene {
         name: doc.name.unwrap_or_else(|| stem(path)),
         about: doc.about,
@@ -49,6 +50,7 @@ pub(super) fn scene(text: &str, path: &str, base_dir: &Path) -> Result<Scene> {
         textures: builder.textures,
         fingerprint: *builder.hash.finalize().as_bytes(),
         warnings: builder.warnings,
+        thresholds: doc.thresholds,
         camera: Camera::build(&doc.camera, &root.key("camera"))?,
         groups: builder.groups.into(),
     })

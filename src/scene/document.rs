@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::shapes::Shape;
+use super::thresholds::Thresholds;
 use super::values::{Color, MaterialUse, Numbers, Scale};
 
 /// A whole scene file.
@@ -41,6 +42,9 @@ pub(super) struct SceneDoc {
     pub(super) materials: BTreeMap<String, MaterialDoc>,
     #[serde(default)]
     pub(super) objects: Vec<ObjectDoc>,
+    /// Bars for `dejag sequence`.
+    #[serde(default)]
+    pub(super) thresholds: Thresholds,
 }
 
 fn one() -> u32 {

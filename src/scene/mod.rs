@@ -23,6 +23,7 @@ mod replicas;
 mod shapes;
 mod shipped;
 mod surface;
+mod thresholds;
 mod tick;
 mod values;
 
@@ -30,6 +31,7 @@ pub use frame::{Frame, Instance, Projection, View};
 pub use material::{AlphaMode, Material, Pattern, Texture, TextureRef, Wrap};
 pub use mesh::{Mesh, Vertex};
 pub use shipped::{SHIPPED, Shipped};
+pub use thresholds::Thresholds;
 pub use tick::Tick;
 
 use std::path::Path;
@@ -70,6 +72,8 @@ pub struct Scene {
     pub fingerprint: [u8; 32],
     /// What was left out of a model or replaced, for the user to know.
     pub warnings: Vec<String>,
+    /// Bars that its file sets for the figures of its sequence.
+    pub thresholds: Thresholds,
     camera: Camera,
     groups: Arc<[Group]>,
 }

@@ -55,9 +55,9 @@ pub struct ConvergenceFigures {
 /// What is done of a change by the number of frames since all light was halved.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ResponseFigures {
-    /// The share after 1, 2, 3, ... frames.
+    /// The share after 1, 2, 3, ... frames; not quite 1 in the end for a picture that is not the reference's.
     pub shares: Vec<Figure>,
-    /// After how many frames it is nine tenths for the first time; `"inf"` if for longer than looked at.
+    /// After how many frames it is nine tenths of the last share for the first time; `"inf"` if that is below 0.8.
     pub frames: Figure,
 }
 

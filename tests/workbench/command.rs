@@ -8,6 +8,7 @@ mod names;
 mod outputs;
 mod repeating;
 mod scenes;
+mod sequences;
 mod sizes;
 mod stopping;
 mod streams;

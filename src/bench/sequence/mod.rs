@@ -6,10 +6,12 @@ mod contestant;
 mod course;
 mod probes;
 mod reference;
+mod thresholds;
 
 pub use contestant::Contestant;
 pub use course::{Course, Moment, STILL_FRAMES, Timeline};
 pub use probes::Probe;
+pub use thresholds::misses;
 
 use std::collections::BTreeSet;
 

@@ -35,7 +35,7 @@ use super::framing::Framing;
 use super::group::{Geometry, Group, Part};
 use super::motion::Motion;
 use super::replicas::{MOST_INSTANCES, Replica};
-use super::{Camera, Light, Material, Scene, Texture, ToneMap, Vertex, load};
+use super::{Camera, Light, Material, Scene, Texture, Thresholds, ToneMap, Vertex, load};
 use crate::error::{Error, Result};
 use image::Textures;
 
@@ -242,6 +242,7 @@ pub(super) fn scene(path: &Path) -> Result<Scene> {
         textures: model.textures,
         fingerprint: model.fingerprint,
         warnings: model.warnings,
+        thresholds: Thresholds::default(),
         camera: Camera::Framing(framing),
         groups: [group].into(),
     })

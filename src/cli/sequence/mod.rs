@@ -1,5 +1,8 @@
 //! `dejag sequence`: methods on frames in motion.
 
+mod bars;
+mod pictures;
+
 use std::collections::BTreeSet;
 use std::io::IsTerminal as _;
 use std::ops::Range;
@@ -8,9 +11,11 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use self::bars::Bars;
+use self::pictures::{PictureOptions, Pictures, Showing};
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
-use crate::bench::sequence::{Contestant, Course, Probe, SEQUENCE_REFERENCE, SequenceRequest, run_sequence};
+use crate::bench::sequence::{Contestant, Course, Probe, SEQUENCE_REFERENCE, SequenceRequest, misses, run_sequence};
 use crate::capture::Cache;
 use crate::error::Error;
 use crate::gpu::Gpu;
@@ -27,10 +32,12 @@ Examples:
   dejag sequence pan -m none -m smaa
   dejag sequence wires --pan 0.37 --frames 0..32 -m none -m smaa --json wires.json
   dejag sequence courtyard --hold 0 --frames 0..64 -m ssaa:spp=4
-  dejag sequence wheel --shutter 0.5 --cut 20 --drop 31 -m none
+  dejag sequence wheel --shutter 0.5 --cut 20 --drop 31 --probe none -m none
+  dejag sequence fence -m none -m smaa --frames 0..32 --out frames --apng fence.png
+  dejag sequence pan -m smaa --min-psnr 33 --max-ghost 0.004
 
 Each frame is held against the same frame supersampled; with --shutter that integrates over time as well. Motion is exact and \
-un-jittered. On two cores without a GPU a reference frame of 640x360 takes about a second; references are kept in the cache (`dejag \
+un-jittered. Pictures are measured as displayed, not rounded to 8 bits. On two cores without a GPU a reference frame of 640x360 takes about a second; references are kept in the cache (`dejag \
 cache`), so an interrupted run goes on where it was.")]
 pub(super) struct Sequence {
     /// A shipped scene, a scene file, or a model
@@ -75,7 +82,11 @@ pub(super) struct Sequence {
     #[arg(long)]
     no_cache: bool,
     #[command(flatten)]
+    pictures: PictureOptions,
+    #[command(flatten)]
     drawing: Drawing,
+    #[command(flatten)]
+    bars: Bars,
 }
 
 impl Sequence {
@@ -87,8 +98,15 @@ impl Sequence {
         }
         let scene = load(&self.scene, self.drawing.quiet)?;
         let request = self.request(&scene)?;
+        let frames = request.course.timeline(&scene)?.moments().len();
+        let methods: Vec<String> = specs.iter().map(ToString::to_string).collect();
+        let methods: Vec<&str> = methods.iter().map(String::as_str).collect();
+        let frame_s = self.step.filter(|step| *step > 0.0).unwrap_or(scene.time_step);
+        let mut pictures = self.pictures.begin(&Showing { methods: &methods, size: self.size, frames, frame_s })?;
         let gpu = self.drawing.open()?;
-        let results = self.measure(&gpu, &scene, &request, &specs)?;
+        gpu.check_size(self.size)?;
+        let results = self.measure(&gpu, &scene, &request, &specs, &mut pictures)?;
+        pictures.finish()?;
         if let Some(path) = json {
             write_bytes_atomically(path, report::json(&results).as_bytes())?;
         }
@@ -101,7 +119,11 @@ impl Sequence {
             ));
             return Ok(ExitCode::from(4));
         }
-        Ok(ExitCode::SUCCESS)
+        let misses = misses(&results.result.methods, &self.bars.over(scene.thresholds));
+        for miss in &misses {
+            output::say(&format!("missed: {miss}"));
+        }
+        Ok(if misses.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
     }
 
     fn specs(&self) -> Result<Vec<Spec>, Error> {
@@ -141,14 +163,21 @@ impl Sequence {
         }
     }
 
-    fn measure(&self, gpu: &Gpu, scene: &Scene, request: &SequenceRequest, specs: &[Spec]) -> anyhow::Result<SequenceResults> {
+    fn measure(
+        &self,
+        gpu: &Gpu,
+        scene: &Scene,
+        request: &SequenceRequest,
+        specs: &[Spec],
+        pictures: &mut Pictures,
+    ) -> anyhow::Result<SequenceResults> {
         let cache = if self.no_cache { Cache::none() } else { Cache::of_user() };
         if let (true, Some(folder)) = (self.drawing.verbose, cache.folder()) {
             output::say(&format!("cache: {}", folder.display()));
         }
         let contestants: Vec<Contestant<'_>> = specs.iter().map(Contestant::of).collect();
         let mut bar = Bar::new(request.work(scene, &contestants)?, self.drawing.quiet);
-        let result = run_sequence(gpu, scene, request, &contestants, &cache, &mut bar, &mut ())?;
+        let result = run_sequence(gpu, scene, request, &contestants, &cache, &mut bar, pictures)?;
         check_interrupt()?;
         if let Some(why) = cache.failure().filter(|_| !self.drawing.quiet) {
             bar.aside(&format!(
