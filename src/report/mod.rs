@@ -15,6 +15,7 @@ mod points;
 #[cfg(test)]
 mod sample;
 mod scene_part;
+mod sequence;
 mod terminal;
 #[cfg(test)]
 mod tests;
@@ -23,6 +24,7 @@ mod words;
 pub use frames_folder::FramesFolder;
 pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
 pub use lines::{LinePlot, Scale, Series};
+pub use sequence::{SequenceReport, Shown, strip_places};
 pub use terminal::{TABLE_WIDTH, sequence_table, table};
 
 use serde::Serialize;

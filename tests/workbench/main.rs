@@ -12,5 +12,5 @@ mod filters;
 mod goldens;
 mod pictures;
 mod rounds;
-mod smaa_modes;
 mod sequence;
+mod smaa_modes;

@@ -35,10 +35,11 @@ Examples:
   dejag sequence wheel --shutter 0.5 --cut 20 --drop 31 --probe none -m none
   dejag sequence fence -m none -m smaa --frames 0..32 --out frames --apng fence.png
   dejag sequence pan -m smaa --min-psnr 33 --max-ghost 0.004
+  dejag sequence pan -m smaa -m taa --report report
 
 Each frame is held against the same frame supersampled; with --shutter that integrates over time as well. Motion is exact and \
-un-jittered. Pictures are measured as displayed, not rounded to 8 bits. On two cores without a GPU a reference frame of 640x360 takes about a second; references are kept in the cache (`dejag \
-cache`), so an interrupted run goes on where it was.")]
+un-jittered. Pictures are measured as displayed, not rounded to 8 bits. On two cores without a GPU a reference frame of 640x360 takes \
+about a second; references are kept in the cache (`dejag cache`), so an interrupted run goes on where it was.")]
 pub(super) struct Sequence {
     /// A shipped scene, a scene file, or a model
     scene: String,
@@ -106,7 +107,7 @@ impl Sequence {
         let gpu = self.drawing.open()?;
         gpu.check_size(self.size)?;
         let results = self.measure(&gpu, &scene, &request, &specs, &mut pictures)?;
-        pictures.finish()?;
+        pictures.finish(&results)?;
         if let Some(path) = json {
             write_bytes_atomically(path, report::json(&results).as_bytes())?;
         }

@@ -7,8 +7,10 @@ use clap::Args;
 use super::super::output;
 use crate::bench::sequence::{FramePicture, FrameSink};
 use crate::error::{Error, Result};
-use crate::picture::{Apng, DisplayPicture, FileFormat, side_by_side};
-use crate::report::FramesFolder;
+use crate::metrics::{Pair, error_map};
+use crate::picture::{Apng, BitDepth, DisplayPicture, FileFormat, side_by_side};
+use crate::report::{FramesFolder, SequenceReport, Shown, strip_places};
+use crate::suite::SequenceResults;
 
 /// Between the pictures of an animation.
 const GAP_PX: u32 = 4;
@@ -25,6 +27,9 @@ pub(super) struct PictureOptions {
     /// Write an animation that loops, a PNG; of several methods side by side, the reference last
     #[arg(long, value_name = "FILE")]
     apng: Option<PathBuf>,
+    /// Write a report into this folder: figures, a film strip with the error under it, curves over time; open its index.html
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
 }
 
 /// What is written while the run goes on.
@@ -32,7 +37,18 @@ pub(super) struct PictureOptions {
 pub(super) struct Pictures {
     folder: Option<FramesFolder>,
     animation: Option<Animation>,
+    report: Option<Strip>,
     methods: usize,
+}
+
+/// The film strip of a report.
+#[derive(Debug)]
+struct Strip {
+    report: SequenceReport,
+    /// Which frames it shows, by their place in the sequence.
+    places: Vec<usize>,
+    /// That of the frame at hand, in 8 bits.
+    reference: Option<DisplayPicture>,
 }
 
 #[derive(Debug)]
@@ -59,7 +75,8 @@ impl PictureOptions {
         let names = [showing.methods, &["reference"]].concat();
         let folder = self.out.as_deref().map(|dir| FramesFolder::begin(dir, format, &names)).transpose()?;
         let animation = self.apng.as_deref().map(|path| Animation::begin(path, showing)).transpose()?;
-        Ok(Pictures { folder, animation, methods: showing.methods.len() })
+        let report = self.report.as_deref().map(|dir| Strip::begin(dir, showing.frames)).transpose()?;
+        Ok(Pictures { folder, animation, report, methods: showing.methods.len() })
     }
 }
 
@@ -91,9 +108,38 @@ impl Animation {
     }
 }
 
+impl Strip {
+    fn begin(dir: &Path, frames: usize) -> Result<Self> {
+        Ok(Self { report: SequenceReport::begin(dir)?, places: strip_places(frames), reference: None })
+    }
+
+    fn reference(&mut self, frame: &FramePicture<'_>) -> Result<()> {
+        if !self.places.contains(&frame.place) {
+            return Ok(());
+        }
+        let reference = frame.display.quantized(BitDepth::Eight);
+        self.report.add(frame.place, Shown::Reference, &reference)?;
+        self.reference = Some(reference);
+        Ok(())
+    }
+
+    fn method(&mut self, frame: &FramePicture<'_>) -> Result<()> {
+        let Some(reference) = self.reference.as_ref().filter(|_| self.places.contains(&frame.place)) else {
+            return Ok(());
+        };
+        let capture = frame.display.quantized(BitDepth::Eight);
+        let error = error_map(&Pair::new(&capture, reference)?)?;
+        self.report.add(frame.place, Shown::Capture(frame.method), &capture)?;
+        self.report.add(frame.place, Shown::ErrorMap(frame.method), &error)
+    }
+}
+
 impl Pictures {
     /// Puts everything in its place.
-    pub(super) fn finish(self) -> Result<()> {
+    pub(super) fn finish(self, results: &SequenceResults) -> Result<()> {
+        if let Some(strip) = self.report {
+            strip.report.finish(results)?;
+        }
         if let Some(mut animation) = self.animation {
             animation.flush()?;
             animation.file.finish()?;
@@ -114,12 +160,18 @@ impl Pictures {
 
 impl FrameSink for Pictures {
     fn method(&mut self, frame: &FramePicture<'_>) -> Result<()> {
+        if let Some(strip) = &mut self.report {
+            strip.method(frame)?;
+        }
         self.add(frame.method, frame)
     }
 
     fn reference(&mut self, frame: &FramePicture<'_>) -> Result<()> {
         if let Some(animation) = &mut self.animation {
             animation.flush()?;
+        }
+        if let Some(strip) = &mut self.report {
+            strip.reference(frame)?;
         }
         self.add(self.methods, frame)
     }

@@ -76,7 +76,9 @@ pub(super) fn all(result: &SequenceResult) -> Vec<Curves> {
     let ages = Curves {
         title: "Ghosts by age",
         about: "Share that is left of a thing where it was so many frames ago; lower is better.",
-        plot: plot(result, ("frames ago", Scale::Linear), ("share left", Scale::Linear), |figures| by_number(&figures.ghost.ages)),
+        plot: plot(result, ("frames ago", Scale::Linear), ("share left", Scale::Linear), |figures| {
+            by_number(&figures.ghost.ages)
+        }),
     };
     let convergence = Curves {
         title: "Convergence",

@@ -5,7 +5,7 @@ mod page;
 
 use std::path::Path;
 
-use super::folder::Staging;
+use super::folder::{REPORT, Staging};
 use super::json;
 use crate::picture::{BitDepth, DisplayPicture, write_bytes_atomically};
 use crate::suite::SequenceResults;
@@ -54,7 +54,7 @@ impl SequenceReport {
     /// # Errors
     /// [`Error::Request`] if `dir` holds anything but a report; [`Error::Io`] if it cannot be written.
     pub fn begin(dir: &Path) -> Result<Self> {
-        let staging = Staging::begin(dir)?;
+        let staging = Staging::begin(REPORT, dir)?;
         let pictures = staging.path().join("pictures");
         std::fs::create_dir(&pictures).map_err(Error::io("create the folder", &pictures))?;
         Ok(Self { staging, strip: Vec::new() })

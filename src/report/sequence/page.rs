@@ -3,6 +3,7 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::{Shown, StripPicture, curves};
+use crate::metrics::Figure;
 use crate::metrics::temporal::MEASURES;
 use crate::report::words::{self, NONE};
 use crate::suite::{SequenceFigures, SequenceOutcome, SequenceResult, SequenceResults};
@@ -14,7 +15,8 @@ const STRIP_STYLE: &str = include_str!("strip.css");
 pub(super) fn page(results: &SequenceResults, strip: &[StripPicture]) -> String {
     let result = &results.result;
     let [width, height] = result.size;
-    let extent = format!("{}, {} frames of {width}x{height}, {} methods", result.scene, result.frames.len(), result.methods.len());
+    let extent =
+        format!("{}, {} frames of {width}x{height}, {} methods", result.scene, result.frames.len(), result.methods.len());
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -89,7 +91,7 @@ fn cells(figures: &SequenceFigures) -> Markup {
         @for measure in MEASURES {
             td {
                 @match overall(measure.id) {
-                    Some(figure) => { (measure.shown(figure)) }
+                    Some(figure) => { (shown(measure.unit, figure)) }
                     None => { (NONE) }
                 }
             }
@@ -152,5 +154,14 @@ fn again(results: &SequenceResults) -> Markup {
             pre tabindex="0" { code { (words::shell_line("dejag", &results.command)) } }
             p { "All figures, of each frame: " a href="results.json" { "results.json" } "." }
         }
+    }
+}
+
+/// Decibels to two digits, everything else to four.
+fn shown(unit: &str, figure: Figure) -> String {
+    match figure {
+        Figure::Number(x) if unit == "dB" => format!("{x:.2}"),
+        Figure::Number(x) => format!("{x:.4}"),
+        other => words::figure("", other),
     }
 }
