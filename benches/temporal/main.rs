@@ -8,6 +8,8 @@
 mod bevy;
 mod options;
 
+use std::collections::BTreeSet;
+
 use dejag::bench::Progress;
 use dejag::bench::sequence::{Contestant, Course, SequenceRequest, run_sequence};
 use dejag::capture::{Cache, Watch};
@@ -88,7 +90,7 @@ fn table(gpu: &Gpu, run: &Run, options: &Options) -> dejag::Result<()> {
     let scene = Scene::load(run.scene)?;
     let frames = if run.still { (2 * options.frames).max(AFTER_CUT[2] as i64) } else { options.frames };
     let reference = Spec::parse(&format!("ssaa:spp={},pattern=larcher", options.spp))?;
-    let request = SequenceRequest { course: course(run, frames), size: options.size, reference };
+    let request = SequenceRequest { course: course(run, frames), size: options.size, reference, probes: BTreeSet::new() };
     let specs = METHODS.iter().map(|text| Spec::parse(text)).collect::<dejag::Result<Vec<_>>>()?;
     let mut contestants: Vec<_> = specs.iter().map(Contestant::of).collect();
     // After the filters, before ours.
