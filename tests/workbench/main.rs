@@ -13,3 +13,4 @@ mod goldens;
 mod pictures;
 mod rounds;
 mod smaa_modes;
+mod taa;
