@@ -95,6 +95,68 @@
 //! # fn main() {}
 //! ```
 //!
+//! # Methods with history
+//!
+//! `taa` draws once a frame, and the frames before are part of its picture:
+//!
+//! ```no_run
+//! # #[cfg(feature = "passes")]
+//! # struct Camera;
+//! # #[cfg(feature = "passes")]
+//! # impl Camera {
+//! #     fn cut(&self) -> bool { false }
+//! #     fn previous_clip_from_clip(&self) -> [[f32; 4]; 4] { [[0.0; 4]; 4] }
+//! # }
+//! # #[cfg(feature = "passes")]
+//! # fn frames(device: &wgpu::Device, queue: &wgpu::Queue, camera: &Camera, output: &wgpu::TextureView,
+//! #     [color, motion, depth, ids]: [&wgpu::TextureView; 4]) -> dejag::Result<()> {
+//! use dejag::methods::Spec;
+//! use dejag::pass::{Context, FrameFacts, Inputs, Recorder, Surface};
+//!
+//! let spec = Spec::parse("taa:preset=balanced")?;
+//! let technique = &spec.stages[0].technique;
+//! let extras = technique.needs().extras; // which of motion, depth and ids it reads
+//! let surface = Surface::linear(wgpu::TextureFormat::Rgba16Float);
+//! let size = [1280, 720];
+//! let mut taa = technique.build(&Context { device, queue, size, input: surface, input_samples: 1, output: surface })?;
+//!
+//! for index in 0.. {
+//!     let mut frame = FrameFacts {
+//!         index,
+//!         reset: index == 0 || camera.cut(),
+//!         // Of the camera without jitter, both times.
+//!         previous_clip_from_clip: camera.previous_clip_from_clip(),
+//!         ..FrameFacts::default()
+//!     };
+//!     let mut encoder = device.create_command_encoder(&Default::default());
+//!     let Some(draw) = taa.next_draw(0, &frame) else { break };
+//!     // In pixels from the pixel's centre, y down: this is where the scene is sampled, so move it the other way. In clip space,
+//!     // times w, that is by [-2.0 * x / width, 2.0 * y / height].
+//!     frame.jitter_px = draw.jitters[0].offset_px;
+//!     // ... draw your scene so into `color` and `depth`, and into `motion` and `ids` beside them ...
+//!     let beside = Inputs { motion: Some(motion), depth: Some(depth), ids: Some(ids), ..Inputs::picture(color) };
+//!     taa.record(&mut Recorder::new(&mut encoder), 0, &Inputs { frame, ..beside }, output);
+//!     // ... tone-map `output`, draw text and menus over it ...
+//!     queue.submit([encoder.finish()]);
+//! }
+//! # Ok(())
+//! # }
+//! # fn main() {}
+//! ```
+//!
+//! - **Motion** is in pixels, right and down, from where a surface is now to where it was in the frame before, of both cameras
+//!   *without* jitter. Any float format with two channels will do; a half holds 10 px to 1/128 px. Where nothing is drawn, write
+//!   how the sky moves, or leave zeroes there and say `background=camera`.
+//! - **Depth** is reversed, 1 near and 0 far: a depth texture, without its stencil. **Ids** are an r32uint texture, the same number
+//!   for the same object in each frame, 0 for the background. Both are drawn with the frame's jitter, as the colour is.
+//! - **Reset** where the frame before has nothing to do with this one: a cut, a teleport. A new size is a new pass. A frame that was
+//!   not drawn needs no reset if motion leads from this frame to the last one that was.
+//! - **One frame a submission**: what a frame is told is written through the queue, so two frames of a pass in one submission would
+//!   both be told the later one's.
+//! - The index only says which jitter is next; count it up for each frame that is drawn.
+//! - `smaa:mode=t2x` and `4x` are driven in the same way, on display values. `4x` asks for two draws a frame (`next_draw(0)`,
+//!   `next_draw(1)`), and to both an index that does not follow the last one is a reset.
+//!
 //! # A capture
 //!
 //! ```no_run

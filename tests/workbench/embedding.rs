@@ -4,6 +4,7 @@
 mod creations;
 mod formats;
 mod frames;
+mod history;
 mod host;
 mod modes;
 mod picture;

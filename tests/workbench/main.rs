@@ -14,3 +14,4 @@ mod pictures;
 mod rounds;
 mod sequence;
 mod smaa_modes;
+mod taa;

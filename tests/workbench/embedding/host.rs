@@ -76,7 +76,7 @@ impl Host {
         [color, output].map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()))
     }
 
-    fn texture(&self, [width, height]: [u32; 2], format: TextureFormat, usage: Usages) -> wgpu::Texture {
+    pub(super) fn texture(&self, [width, height]: [u32; 2], format: TextureFormat, usage: Usages) -> wgpu::Texture {
         self.device.create_texture(&wgpu::TextureDescriptor {
             label: None,
             size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
