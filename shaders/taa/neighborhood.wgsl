@@ -10,6 +10,9 @@ override GAMMA_MOTION: f32 = 1.0;
 
 @group(0) @binding(1) var color: texture_2d<f32>;
 
+// Times the limit: a sample beyond counts less, the brighter it is.
+const BELIEVED: f32 = 64.0;
+
 struct Box {
     low: vec3<f32>,
     high: vec3<f32>,
@@ -58,8 +61,11 @@ fn neighborhood_at(pixel: vec2<i32>, speed_px: f32) -> Neighborhood {
         counts[i] = f32(sound);
         colors[i] = select(vec3<f32>(0.0), clamp(loaded, vec3<f32>(0.0), vec3<f32>(LARGEST_HALF)), sound);
     }
+    var weight = frame.frame_weight * counts[4];
     if LIMIT > 0.0 {
         let limit = brightness_limit(colors);
+        // What lies far beyond is no light of the scene: at an edge, where the box is wide, even its limit would stay for long.
+        weight *= min(BELIEVED * limit / max(max3(colors[4]), 1e-9), 1.0);
         for (var i = 0; i < 9; i++) {
             colors[i] *= min(limit / max(max3(colors[i]), 1e-9), 1.0);
         }
@@ -67,7 +73,7 @@ fn neighborhood_at(pixel: vec2<i32>, speed_px: f32) -> Neighborhood {
     for (var i = 0; i < 9; i++) {
         colors[i] = to_working(colors[i]);
     }
-    return Neighborhood(sample_of(colors, counts), frame.frame_weight * counts[4], box_of(colors, counts, speed_px));
+    return Neighborhood(sample_of(colors, counts), weight, box_of(colors, counts, speed_px));
 }
 
 // By the input filter; where the pixel's own sample is no number, the mean of those around it that are.
