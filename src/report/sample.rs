@@ -1,5 +1,6 @@
 //! Made-up results and pictures for the tests.
 
+use crate::metrics::temporal::{MEASURES, Measure};
 use crate::metrics::{Figure, METRICS};
 use crate::picture::{DisplayPicture, NonFinite};
 use crate::suite::*;
@@ -94,4 +95,65 @@ pub(super) fn picture(softness: f32) -> DisplayPicture {
         [0.15 + 0.75 * cover, 0.2 + 0.6 * cover, 0.3 + 0.5 * cover, 1.0]
     })
     .expect("a size")
+}
+
+/// A sequence of four frames by two methods, the second without probes.
+pub(super) fn sequence() -> SequenceResults {
+    let frame = |index: i64| SequenceFrame {
+        index,
+        time_s: index as f64 / 60.0,
+        shift_px: [0.0; 2],
+        reset: index == 0,
+        followed: vec![0.95, 0.9, 0.85, 0.8],
+        uncovered: 123,
+        ridges: 45,
+    };
+    let noise_floor = Some(NoiseFloor { rms: 1.2e-4, max: 3.1e-3 });
+    let timing = SequenceReferenceTiming { seconds: 1.0, cached: 2 };
+    let result = SequenceResult {
+        scene: "pan".into(),
+        about: "camera and objects move".into(),
+        size: SIZE,
+        reference: SequenceReference { spec: "ssaa:spp=256".into(), noise_floor, timing },
+        frames: (0..4).map(frame).collect(),
+        methods: vec![sequence_method("none", probes()), sequence_method("smaa", ProbeFigures::default())],
+    };
+    let Results { schema_version, stamp, .. } = results(1);
+    SequenceResults { schema_version, stamp, command: ["sequence", "pan"].map(String::from).to_vec(), result }
+}
+
+fn sequence_method(spec: &str, probes: ProbeFigures) -> SequenceMethod {
+    let value = |name: &str| match name {
+        "psnr" | "tpsnr" => Figure::Number(24.1),
+        "ghost" => Figure::NotApplicable,
+        "continuity" | "energy" => Figure::Number(0.99),
+        _ => Figure::Number(0.004),
+    };
+    let figure = |measure: &Measure| SequenceFigure {
+        measure: measure.id.into(),
+        overall: value(measure.name),
+        worst: Some(WorstFrame { index: 2, value: value(measure.name) }),
+        frames: vec![value(measure.name); 4],
+    };
+    let figures = SequenceFigures {
+        samples_per_pixel: 1.0,
+        target_bytes: 460_800,
+        figures: MEASURES.iter().map(figure).collect(),
+        ghost: Ghost { ages: vec![Figure::Number(0.1); 8], trail: Figure::Infinite },
+        non_finite: Some(SequenceNonFinite { pixels: 6, frames: 2, first: 3 }),
+        probes,
+        timing: SequenceTiming { frame_ms: Spread { median: 12.0, min: 11.0, max: 14.0, repeats: 4 } },
+    };
+    SequenceMethod { spec: spec.into(), outcome: SequenceOutcome::Measured(Box::new(figures)) }
+}
+
+fn probes() -> ProbeFigures {
+    let number = Figure::Number;
+    ProbeFigures {
+        crawl: Some(CrawlFigures { mean: number(0.002), p9999: number(0.1) }),
+        convergence: Some(ConvergenceFigures { psnr: vec![number(30.0); 64], settled: number(30.0), frames: number(1.0) }),
+        response: Some(ResponseFigures { shares: vec![number(0.1); 48], frames: Figure::Infinite }),
+        sharpness: Some(vec![SharpnessFigure { pan_px: 0.0, ratio: number(1.5) }]),
+        position: None,
+    }
 }
