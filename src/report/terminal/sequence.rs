@@ -133,3 +133,44 @@ fn shown_trail(trail: Figure) -> String {
         other => shown(other, |x| format!("{x:.0}")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::sample;
+
+    #[test]
+    fn every_line_fits_whatever_the_names() {
+        let long = "taa:jitter=halton,length=16,clip=variance,gamma=1.25,history=catmull-rom,sharpen=0.2,".repeat(3);
+        let mut results = sample::sequence();
+        results.result.methods[0].spec = long.clone();
+        results.result.reference.spec = long.clone();
+        results.result.scene = long.clone();
+        results.result.methods[1].outcome = SequenceOutcome::Failed { error: format!("it needs {long}") };
+        let text = sequence_table(&results, false);
+        for line in text.lines() {
+            assert!(line.chars().count() <= TABLE_WIDTH, "{} characters: {line}", line.chars().count());
+        }
+        assert!(!text.contains('\u{1b}') && text.contains("failed: it needs"), "{text}");
+    }
+
+    #[test]
+    fn figures_stand_in_both_tables() {
+        let text = sequence_table(&sample::sequence(), false);
+        let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("none")).collect();
+        assert_eq!(lines.len(), 2, "{text}");
+        assert!(lines[0].contains("24.10") && lines[0].contains("+1.02") && lines[0].contains(">8"), "{text}");
+        assert!(lines[1].contains("never") && lines[1].contains("0.51"), "{text}");
+        assert!(text.contains("6 pixels in 2 frames are NaN or infinite, first in frame 3"), "{text}");
+    }
+
+    #[test]
+    fn colour_only_adds_escapes() {
+        let results = sample::sequence();
+        let mut plain = sequence_table(&results, true);
+        for code in [0, 1, 2, 31, 32, 33] {
+            plain = plain.replace(&format!("\u{1b}[{code}m"), "");
+        }
+        assert_eq!(plain, sequence_table(&results, false));
+    }
+}

@@ -72,6 +72,15 @@ fn a_polite_end_of_a_score() {
 }
 
 #[test]
+fn ctrl_c_in_a_sequence() {
+    let desk = Desk::new();
+    let sequence = "sequence pan -m none -m ssaa:spp=1024 --reference ssaa:spp=4 --probe none --size 320x180";
+    let mut running = desk.start(desk.command(&format!("{sequence} --out frames --apng all.png --json out.json -v")));
+    running.until("it began", |running| running.stderr().contains("cache: "));
+    stopped(&desk, running, &["INT"], &[]);
+}
+
+#[test]
 fn ctrl_c_in_a_capture() {
     let desk = Desk::new();
     stopped(&desk, long_capture(&desk), &["INT"], &[]);
