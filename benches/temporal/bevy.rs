@@ -1,7 +1,7 @@
 //! The TAA of `bevy_anti_alias` 0.20.1 by its published behaviour, as something to be held against: eight jitters whose mean is not
 //! the pixel's centre, a fixed range of shares, a box of one deviation, and a reset that trusts its only sample like sixty.
 //!
-//! Its history grows more trusted by ten a frame at rest; nothing but this fits what is known of how fast it forgets.
+//! Its history is trusted more by ten each frame at rest, and by one only as soon as anything moves.
 
 use dejag::pass::{Context, Draw, Extras, FrameFacts, Inputs, Jitter, Needs, Pass, Recorder, Technique};
 use wgpu::TextureFormat as Format;

@@ -96,7 +96,7 @@ fn clipped(past: vec3<f32>, pixel: vec2<i32>) -> vec3<f32> {
     let mean = sum / 9.0;
     let deviation = sqrt(max(squares / 9.0 - mean * mean, vec3<f32>(0.0)));
     let away = to_ycocg(past) - mean;
-    let farthest = max3(abs(away / deviation));
+    let farthest = max3(abs(away) / max(deviation, vec3<f32>(1e-8)));
     return from_ycocg(mean + select(away, away / farthest, farthest > 1.0));
 }
 

@@ -6,6 +6,7 @@ use dejag::capture::Studio;
 use dejag::picture::LinearPicture;
 use dejag::scene::Scene;
 
+use super::rig::{Facts, Rig};
 use super::{PLAIN, PRESETS, Sequence, panned, still};
 use crate::common;
 
@@ -90,4 +91,22 @@ fn whole_pixels_of_a_clipped_pan_are_exact() {
     for preset in PRESETS {
         whole_pixels_are_exact(&format!("{preset},storage=fp32,most=64,most_motion=64,gamma=1.25,gamma_motion=1.25"));
     }
+}
+
+/// What motion vectors lose on their way does not blur: so near to a whole pixel, it is meant.
+#[test]
+fn nearly_whole_pixels_are_whole() {
+    let gpu = common::gpu();
+    let place = |i: u32| ((i % SIZE[0]) * 37 % 64) as f32 / 64.0;
+    let color = || (0..SIZE[0] * SIZE[1]).map(place).map(|value| [value, value, value, 1.0]).collect();
+    let moved = |motion_px: [f32; 2]| {
+        let mut rig = Rig::new(&gpu, &format!("{PLAIN},storage=fp32"), SIZE);
+        rig.take(&Facts::still(color()));
+        rig.take(&Facts::flat([0.0; 3]).moved(motion_px))
+    };
+    let whole = moved([3.0, -2.0]);
+    for near in [[3.0009, -2.0], [2.9991, -2.0009], [3.0, -1.9991]] {
+        assert!(moved(near) == whole, "{near:?}");
+    }
+    assert!(moved([3.002, -2.0]) != whole);
 }
