@@ -1,7 +1,7 @@
 // What a pixel keeps from frame to frame beside its colour: the box it was in, how it moved, whose surface it showed, and where.
 //
 // x, y: the corners of the box, ten bits a channel, rounded outwards; the two bits above tell views why history was refused and how
-// much it was clipped. z: motion in pixels, two halves. w: the object's id, or the bits of its depth.
+// much it was clipped. z: motion in 64ths of a pixel, two signed halves of the word. w: the object's id, or the bits of its depth.
 
 // Anything between -inf and inf in [-1, 1], finest near zero, as the eye is.
 fn companded(x: vec3<f32>) -> vec3<f32> {
@@ -31,4 +31,19 @@ fn low_code(low: vec3<f32>) -> vec3<f32> {
 
 fn high_code(high: vec3<f32>) -> vec3<f32> {
     return ceil(511.0 * companded(high));
+}
+
+// Motion as far as it is remembered: what is faster than this is told apart from what is slow, not from what is faster still.
+fn shortened(motion_px: vec2<f32>) -> vec2<f32> {
+    return clamp(motion_px, vec2<f32>(-500.0), vec2<f32>(500.0));
+}
+
+fn packed_motion(motion_px: vec2<f32>) -> u32 {
+    let steps = vec2<i32>(round(64.0 * shortened(motion_px)));
+    return (u32(steps.x) & 0xffffu) | (u32(steps.y) << 16u);
+}
+
+fn motion_px_of(packed: u32) -> vec2<f32> {
+    let steps = vec2<i32>(i32(packed << 16u) >> 16u, i32(packed) >> 16u);
+    return vec2<f32>(steps) / 64.0;
 }

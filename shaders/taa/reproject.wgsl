@@ -39,7 +39,8 @@ fn motion_at(at: vec2<i32>) -> vec2<f32> {
     let pixel = inside(at);
     var found = textureLoad(motion, pixel, 0).xy;
     if MOTION_IN_HALVES {
-        found = unpack2x16float(pack2x16float(found));
+        // To ten bits of fraction, as a half has.
+        found = bitcast<vec2<f32>>((bitcast<vec2<u32>>(found) + 0x1000u) & vec2<u32>(0xffffe000u));
     }
     if CAMERA_MOVES_BACKGROUND && depth_at(pixel) == 0.0 {
         found = pixel_of(still_before(pixel, 0.0).xy) - vec2<f32>(pixel) - 0.5;
@@ -100,7 +101,7 @@ fn seen_at(pixel: vec2<i32>, followed: vec2<i32>) -> Seen {
 
 // Whether what a remembered pixel showed is no longer here: it moved away, and what we see now lay hidden behind it.
 fn is_stale(kept: vec4<u32>, seen: Seen) -> bool {
-    if distance(unpack2x16float(kept.z), seen.motion_px) <= SLIDE_PX {
+    if distance(motion_px_of(kept.z), shortened(seen.motion_px)) <= SLIDE_PX {
         return false;
     }
     var stale = false;

@@ -129,7 +129,7 @@ fn fs_resolve(@builtin(position) position: vec4<f32>) -> Resolved {
     let kept = vec4<u32>(
         packed_corner(codes.low, past.refused),
         packed_corner(codes.high, clipped),
-        pack2x16float(clamp(seen.motion_px, vec2<f32>(-60000.0), vec2<f32>(60000.0))),
+        packed_motion(seen.motion_px),
         seen.key,
     );
     return Resolved(vec4<f32>(stored(mean, pixel), frames), kept);

@@ -55,7 +55,7 @@ const PRESETS: [Preset; 3] = [
         gamma: 1.5,
         gamma_motion: 1.0,
         memory: 5,
-        most: 64,
+        most: 40,
         most_motion: 8,
         reject: "ids",
         sharpen: 0.0,
@@ -213,7 +213,7 @@ impl Settings {
         },
         OptionSpec {
             name: "most_motion",
-            help: "the same from a pixel a frame on",
+            help: "the same in motion, and once a pixel was interpolated",
             kind: Kind::IntegerOrAuto { min: 1, max: 1024 },
             default: "auto",
         },

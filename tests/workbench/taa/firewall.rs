@@ -147,9 +147,8 @@ fn what_is_no_number_leaves_no_trace_at_an_edge() {
     assert!(left <= 1.0, "{left}/255 are left after two cycles");
 }
 
-/// There the box is as wide as the edge, and what the limit leaves of it fades only as the mean forgets.
+/// There the box is as wide as the edge, and what the limit leaves of it would fade only as the mean forgets.
 #[test]
-#[ignore = "46/255 are left beside an edge with preset=balanced, 2/255 on one with quality"]
 fn a_firefly_leaves_no_trace_at_an_edge() {
     let left = most_left(&[FIREFLY], &[1, 2]);
     assert!(left <= 1.0, "{left}/255 are left after two cycles");
