@@ -97,7 +97,7 @@ fn packed_floats([r, g, b, _]: Pixel) -> u32 {
 #[test]
 fn taa_says_what_it_takes() {
     for (spec, [depth, ids]) in [
-        ("taa:preset=fast,dilation=off", [false, false]),
+        ("taa:dilation=off,reject=off", [false, false]),
         ("taa:dilation=off,reject=ids", [false, true]),
         ("taa:dilation=full,reject=off", [true, false]),
         ("taa:dilation=off,reject=depth", [true, false]),
