@@ -10,6 +10,7 @@ use super::output;
 use crate::gpu::{Card, adapters};
 use crate::methods::METHODS;
 use crate::metrics::METRICS;
+use crate::metrics::temporal::MEASURES;
 use crate::sampling::{FILTERS, PATTERNS};
 use crate::scene::SHIPPED;
 
@@ -31,6 +32,7 @@ enum What {
     Filters,
     Patterns,
     Metrics,
+    Measures,
     Adapters,
 }
 
@@ -52,6 +54,10 @@ impl List {
                     let (better, reads) = (m.better.as_str(), m.reads.as_str());
                     json!({ "name": m.name, "id": m.id, "about": m.summary, "unit": m.unit, "better": better, "reads": reads })
                 })
+                .collect(),
+            What::Measures => MEASURES
+                .iter()
+                .map(|m| json!({ "name": m.name, "id": m.id, "about": m.summary, "unit": m.unit, "better": m.better.as_str() }))
                 .collect(),
             What::Adapters => adapters().iter().map(|a| adapter(&Card::of(&a.get_info()))).collect(),
         };

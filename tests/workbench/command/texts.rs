@@ -6,7 +6,7 @@ use super::desk::Desk;
 use crate::common;
 
 const VERBS: [&str; 8] = ["capture", "filter", "score", "list", "doctor", "cache", "completions", "man"];
-const LISTS: [&str; 5] = ["scenes", "methods", "filters", "patterns", "metrics"];
+const LISTS: [&str; 6] = ["scenes", "methods", "filters", "patterns", "metrics", "measures"];
 
 /// The examples in a verb's help, without `dejag` and without what a shell does with the output.
 fn examples(desk: &Desk, arguments: &str) -> Vec<String> {
