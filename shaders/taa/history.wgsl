@@ -27,11 +27,10 @@ fn no_history(refused: u32) -> History {
 }
 
 fn history_at(from_px: vec2<f32>, seen: Seen) -> History {
-    if frame.reset != 0u {
-        return no_history(3u);
-    }
-    if any(from_px < vec2<f32>(0.0)) || any(from_px > vec2<f32>(picture_size())) {
-        return no_history(1u);
+    let outside = any(from_px < vec2<f32>(0.0)) || any(from_px > vec2<f32>(picture_size()));
+    // Not a branch that a uniform alone decides: Mesa 22.3 would compile the pass anew for it, frame by frame.
+    if (frame.reset | u32(outside)) != 0u {
+        return no_history(select(1u, 3u, frame.reset != 0u));
     }
     var corner = floor(from_px - 0.5);
     var share = from_px - 0.5 - corner;

@@ -6,9 +6,12 @@ override RECTIFY: u32 = 2u;
 override FORGETTING: f32 = 0.16666667;
 // Most frames that a mean stands for at rest.
 override MOST_STILL: f32 = 64.0;
-// Frames that a mean still stands for that was clipped by as much as the box is wide.
-override MOST_CLIPPED: f32 = 2.0;
-override CLIP_GAIN: f32 = 4.0;
+// The same where this frame shows most of what was remembered: nothing thin is missing, so the light has changed.
+override FORGETTING_SEEN: f32 = 0.5;
+// Share of its frames that a mean loses each time it is clipped by as much as the box is wide, and how many it keeps. All at once would
+// let a pixel that is hit once a cycle swing from one cycle to the next.
+override CLIPPED_LOSES: f32 = 0.25;
+override LEAST_CLIPPED: f32 = 4.0;
 // Whether history is kept in halves.
 override IN_HALVES: bool = true;
 // Whether a pixel without history is filled by a filter.
@@ -87,9 +90,11 @@ fn remembered(box: Box, kept: vec4<u32>) -> Remembered {
     if FORGETTING >= 1.0 || any(kept_low > high) || any(kept_high < low) {
         return Remembered(low, high);
     }
+    let share_seen = max3((high - low) / max(kept_high - kept_low, vec3<f32>(1.0)));
+    let forgetting = mix(FORGETTING, max(FORGETTING, FORGETTING_SEEN), smoothstep(0.5, 0.8, share_seen));
     // At least a step each frame, or rounding would keep it from ever closing in.
-    let fading_low = max(floor(mix(kept_low, low, FORGETTING)), min(kept_low + 1.0, low));
-    let fading_high = min(ceil(mix(kept_high, high, FORGETTING)), max(kept_high - 1.0, high));
+    let fading_low = max(floor(mix(kept_low, low, forgetting)), min(kept_low + 1.0, low));
+    let fading_high = min(ceil(mix(kept_high, high, forgetting)), max(kept_high - 1.0, high));
     return Remembered(min(low, fading_low), max(high, fading_high));
 }
 
@@ -108,7 +113,8 @@ fn fs_resolve(@builtin(position) position: vec4<f32>) -> Resolved {
         box = Box(min(box.low, expanded(codes.low / 511.0)), max(box.high, expanded(codes.high / 511.0)));
     }
     let rectified = rectified(to_working(past.color), box);
-    var frames = mix(past.frames, min(past.frames, MOST_CLIPPED), min(CLIP_GAIN * rectified.excess, 1.0));
+    var frames = past.frames * (1.0 - CLIPPED_LOSES * min(rectified.excess, 1.0));
+    frames = max(frames, min(past.frames, LEAST_CLIPPED));
     frames = min(frames + now.weight, select(MOST_STILL, MOST_MOTION, speed_px >= WHOLE_PX));
 
     var sample = now.sample;

@@ -80,7 +80,7 @@ fn the_light_of_neon_stays() {
     assert!(apart <= 1.0 && gained < 1e-3, "{apart}/255, energy off by {gained}");
 }
 
-/// A mean that forgets one part in `most` a frame must have forgotten by then how it began: with 64 it would still be 10/255 away.
+/// The longest mean and the longest cycle, where bright light falls on some pixels once in 64 frames.
 #[test]
 fn the_longest_mean_of_a_preset_has_settled_at_frame_320() {
     stays("neon", PRESETS[2], 64, &BOTH);
