@@ -1,11 +1,14 @@
 //! Our temporal methods beside what others ship: `cargo bench --bench temporal [-- --only SCENE ... --size 320x180 --frames 32]`.
 //!
+//! `--cost 1920x1080` times the passes instead.
+//!
 //! The same sequences for everyone, held against the same supersampled frames. What bevy does is run as a pass of this bench's own
 //! (`bevy.rs`), because no registry of ours has it.
 
 #![expect(clippy::print_stdout, reason = "its tables are its output")]
 
 mod bevy;
+mod cost;
 mod options;
 
 use std::collections::BTreeSet;
@@ -16,6 +19,7 @@ use dejag::capture::{Cache, Watch};
 use dejag::gpu::{AdapterChoice, Gpu};
 use dejag::methods::Spec;
 use dejag::metrics::Figure;
+use dejag::pass::Technique;
 use dejag::scene::Scene;
 use dejag::suite::{SequenceFigures, SequenceOutcome};
 
@@ -73,10 +77,21 @@ fn main() -> dejag::Result<()> {
     let choice = std::env::var("DEJAG_ADAPTER").map_or(AdapterChoice::Auto, |name| name.parse().expect("infallible"));
     let gpu = Gpu::open(&choice)?;
     println!("{}, {}x{}", gpu.card, options.size[0], options.size[1]);
+    if options.cost {
+        return costs(&gpu, &options);
+    }
     for run in RUNS.iter().filter(|run| options.only.is_empty() || options.only.iter().any(|name| name == run.scene)) {
         table(&gpu, run, &options)?;
     }
     Ok(())
+}
+
+fn costs(gpu: &Gpu, options: &Options) -> dejag::Result<()> {
+    let texts = METHODS.iter().filter(|text| text.starts_with("taa")).chain(&["smaa:mode=t2x"]);
+    let specs = texts.map(|text| Ok((*text, Spec::parse(text)?))).collect::<dejag::Result<Vec<_>>>()?;
+    let mut lanes: Vec<(&str, &dyn Technique)> = vec![("copy", &cost::Copy), ("bevy 0.20.1", &bevy::BevyTaa)];
+    lanes.extend(specs.iter().map(|(text, spec)| (*text, &*spec.stages[0].technique)));
+    cost::table(gpu, options.size, options.frames as u32, &lanes)
 }
 
 fn course(run: &Run, frames: i64) -> Course {

@@ -10,6 +10,8 @@ pub(crate) struct Options {
     pub(crate) frames: i64,
     /// Samples a pixel of the reference.
     pub(crate) spp: u32,
+    /// Whether passes are timed, not sequences measured.
+    pub(crate) cost: bool,
 }
 
 impl Options {
@@ -17,7 +19,7 @@ impl Options {
     ///
     /// `cargo bench` says `--bench`. Whoever does not only wants to know whether it runs.
     pub(crate) fn read(mut words: impl Iterator<Item = String>) -> Option<Self> {
-        let mut options = Self { only: Vec::new(), size: [320, 180], frames: 32, spp: 256 };
+        let mut options = Self { only: Vec::new(), size: [320, 180], frames: 32, spp: 256, cost: false };
         let mut smoke = true;
         while let Some(word) = words.next() {
             let mut value = || words.next().unwrap_or_else(|| panic!("{word} takes a value"));
@@ -26,6 +28,7 @@ impl Options {
                 "--bench" => smoke = false,
                 "--only" => options.only.push(value()),
                 "--size" => options.size = size(&value()),
+                "--cost" => (options.size, options.cost) = (size(&value()), true),
                 "--frames" => options.frames = value().parse().expect("--frames takes a number"),
                 // Whatever else a harness says to its own.
                 _ => {}
