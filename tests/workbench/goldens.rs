@@ -29,6 +29,8 @@ const GOLDENS: &[(&str, &str, f64)] = &[
     ("edges", "smaa:mode=t2x", 0.0),
     ("edges", "smaa:mode=4x", 0.0),
     ("edges", "cmaa2", 0.0),
+    ("edges", "taa", 0.01),
+    ("pan", "taa:preset=quality", 0.01),
     ("wires", "ssaa:spp=64,filter=mitchell", 0.0),
     ("foliage", "msaa:samples=4,a2c=on", 0.01),
     ("neon", "msaa:samples=4,weight=luma", 0.01),
