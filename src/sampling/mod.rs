@@ -4,7 +4,9 @@
 //! one function and one line.
 
 mod filters;
+pub mod integrals;
 mod jitter;
+pub mod measure;
 mod patterns;
 mod sequences;
 
