@@ -125,8 +125,7 @@ impl IntegralRow {
     /// Least squares in logarithms, over the errors that have one.
     #[must_use]
     pub fn slope_of(errors: &[IntegralError]) -> Option<f64> {
-        let logs: Vec<[f64; 2]> =
-            errors.iter().filter(|e| e.rms > 0.0).map(|e| [f64::from(e.spp).ln(), e.rms.ln()]).collect();
+        let logs: Vec<[f64; 2]> = errors.iter().filter(|e| e.rms > 0.0).map(|e| [f64::from(e.spp).ln(), e.rms.ln()]).collect();
         let n = logs.len() as f64;
         let [mean_x, mean_y] = [0, 1].map(|k| logs.iter().map(|p| p[k]).sum::<f64>() / n);
         let (above, below) = logs.iter().fold((0.0, 0.0), |(above, below), [x, y]| {

@@ -47,7 +47,8 @@ fn specs(texts: &[&String], default: impl FnOnce() -> Vec<PatternSpec>) -> Resul
     if texts.is_empty() {
         return Ok(default());
     }
-    let specs: Vec<PatternSpec> = texts.iter().flat_map(|text| split(text)).map(|t| PatternSpec::parse(&t)).collect::<Result<_>>()?;
+    let specs: Vec<PatternSpec> =
+        texts.iter().flat_map(|text| split(text)).map(|t| PatternSpec::parse(&t)).collect::<Result<_>>()?;
     for (i, spec) in specs.iter().enumerate() {
         let name = spec.to_string();
         if specs[..i].iter().any(|other| other.to_string() == name) {

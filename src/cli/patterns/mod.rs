@@ -68,14 +68,20 @@ struct Sets {
 }
 
 impl Sets {
-    /// How many different sets there are of a pattern: one if it does not use the seed.
-    fn trials(spec: &PatternSpec, most: u32) -> u32 {
-        if spec.pattern().seeded { most } else { 1 }
+    /// How many different sets there are of a pattern: one if the seed makes no difference.
+    fn trials(spec: &PatternSpec, most: u32) -> Result<u32, Error> {
+        Ok(if uses_seed(spec)? { most } else { 1 })
     }
 
     fn of_trial(&self, spec: &PatternSpec, trial: u32) -> Result<Vec<[f64; 2]>, Error> {
         spec.points(self.n, self.seed.wrapping_add(trial))
     }
+}
+
+/// Whether the seed makes a difference; under some parameters it does where it does not under the others.
+fn uses_seed(spec: &PatternSpec) -> Result<bool, Error> {
+    const FEW: u32 = 16;
+    Ok(spec.points(FEW, 0)? != spec.points(FEW, 1)?)
 }
 
 /// A bar that many threads move.

@@ -50,9 +50,10 @@ impl Spectrum {
         let specs = self.choice.specs(all)?;
         let kind = self.output.as_deref().map(PictureKind::check).transpose()?;
         self.figures.check()?;
-        let trials: u64 = specs.iter().map(|spec| u64::from(Sets::trials(spec, self.trials))).sum();
-        let bar = SharedBar::new(trials, self.figures.quiet, "periodograms");
-        let periodograms: Vec<Periodogram> = specs.iter().map(|s| self.periodogram(s, &bar)).collect::<Result<_, Error>>()?;
+        let trials: Vec<u32> = specs.iter().map(|spec| Sets::trials(spec, self.trials)).collect::<Result<_, Error>>()?;
+        let bar = SharedBar::new(trials.iter().map(|t| u64::from(*t)).sum(), self.figures.quiet, "periodograms");
+        let each = specs.iter().zip(&trials).map(|(spec, trials)| self.periodogram(spec, *trials, &bar));
+        let periodograms: Vec<Periodogram> = each.collect::<Result<_, Error>>()?;
         drop(bar);
         let rows: Vec<SpectrumRow> = specs.iter().zip(&periodograms).map(|(spec, p)| self.row(spec, p)).collect();
         if let (Some(kind), Some(path)) = (kind, &self.output) {
@@ -64,14 +65,13 @@ impl Spectrum {
     }
 
     /// Sets side by side, added in the order of their seeds.
-    fn periodogram(&self, spec: &PatternSpec, bar: &SharedBar) -> Result<Periodogram, Error> {
+    fn periodogram(&self, spec: &PatternSpec, trials: u32, bar: &SharedBar) -> Result<Periodogram, Error> {
         let highest = (REACH * principal_frequency(self.sets.n as usize)).ceil() as usize;
         let of_trial = |trial: u32| {
             let periodogram = Periodogram::of(&self.sets.of_trial(spec, trial)?, highest);
             bar.advance(1)?;
             Ok(periodogram)
         };
-        let trials = Sets::trials(spec, self.trials);
         let each: Vec<Periodogram> = (0..trials).into_par_iter().map(of_trial).collect::<Result<_, Error>>()?;
         let (first, others) = each.split_first().expect("a pattern has at least one trial");
         let mut sum = first.clone();
@@ -95,7 +95,11 @@ impl Spectrum {
             anisotropy_floor_db: -10.0 * f64::from(periodogram.sets()).log10() + 0.0,
             axis: figures.axis,
             radial_mean: periodogram.radial_mean(),
-            radial_anisotropy_db: periodogram.radial_anisotropy_db().into_iter().map(|db| db.filter(|db| db.is_finite())).collect(),
+            radial_anisotropy_db: periodogram
+                .radial_anisotropy_db()
+                .into_iter()
+                .map(|db| db.filter(|db| db.is_finite()))
+                .collect(),
         }
     }
 }
@@ -106,7 +110,8 @@ fn panels(rows: &[SpectrumRow], periodograms: &[Periodogram]) -> Result<Panels, 
         let range = -(p.highest() as i32)..=p.highest() as i32;
         // Frequency 0 only says how many points there are.
         let power = |fx, fy| if (fx, fy) == (0, 0) { 0.0 } else { p.power(fx, fy) };
-        let powers: Vec<f64> = range.clone().flat_map(|fy| range.clone().map(move |fx| (fx, fy))).map(|(x, y)| power(x, y)).collect();
+        let powers: Vec<f64> =
+            range.clone().flat_map(|fy| range.clone().map(move |fx| (fx, fy))).map(|(x, y)| power(x, y)).collect();
         let title = format!("{}, {} sets", row.pattern, row.trials);
         Ok(Panel { title, ground: Some(power_map(&powers, side(p))?), points: Vec::new(), radius: 0.0, round: false })
     };

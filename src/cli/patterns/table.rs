@@ -12,9 +12,7 @@ use super::{Sets, SharedBar};
 use crate::error::Error;
 use crate::report;
 use crate::sampling::PatternSpec;
-use crate::sampling::measure::{
-    Nearest, Spread, Surroundings, nearest, star, star_l2, stroud, stroud_on_lattice, stroud_torus,
-};
+use crate::sampling::measure::{Nearest, Spread, Surroundings, nearest, star, star_l2, stroud, stroud_on_lattice, stroud_torus};
 use crate::suite::{NearestFigures, PatternRow, PatternTiming};
 
 /// Discrepancies and distances of many sets of each pattern
@@ -72,11 +70,10 @@ impl Table {
 
     /// Trials of all patterns run side by side; their order in the sums is that of their seeds.
     fn rows(&self, specs: &[PatternSpec]) -> Result<Vec<PatternRow>, Error> {
-        let jobs: Vec<(usize, u32)> = specs
-            .iter()
-            .enumerate()
-            .flat_map(|(i, spec)| (0..Sets::trials(spec, self.trials)).map(move |trial| (i, trial)))
-            .collect();
+        let mut jobs: Vec<(usize, u32)> = Vec::new();
+        for (i, spec) in specs.iter().enumerate() {
+            jobs.extend((0..Sets::trials(spec, self.trials)?).map(|trial| (i, trial)));
+        }
         let bar = SharedBar::new(jobs.len() as u64, self.figures.quiet, "sets");
         let measured = |&(i, trial): &(usize, u32)| {
             let figures = self.trial(&specs[i], trial)?;
@@ -126,9 +123,9 @@ impl Table {
             stroud_torus: self.torus.then(|| spread(|t| t.stroud_torus).mean),
             nearest: mean_nearest(trials.iter().map(|t| t.nearest)),
             nearest_torus: mean_nearest(trials.iter().map(|t| t.nearest_torus)),
-            timing: self.timing.then(|| PatternTiming {
-                generate_ms: trials.iter().map(|t| t.generate_ms).fold(f64::INFINITY, f64::min),
-            }),
+            timing: self
+                .timing
+                .then(|| PatternTiming { generate_ms: trials.iter().map(|t| t.generate_ms).fold(f64::INFINITY, f64::min) }),
         }
     }
 }

@@ -20,11 +20,8 @@ pub fn spectrum_svg(periodograms: &Panels, rows: &[SpectrumRow]) -> Option<Strin
     let means = over_frequency("radial mean power", Scale::Linear, &|row| row.radial_mean.iter().copied().map(Some).collect());
     let (low, high) = ANISOTROPY_DB;
     let anisotropies = over_frequency("anisotropy in dB", Scale::Between(low, high), &|row| row.radial_anisotropy_db.clone());
-    let parts = [
-        (periodograms.svg(), periodograms.svg_size()),
-        (means.svg()?, means.size()),
-        (anisotropies.svg()?, anisotropies.size()),
-    ];
+    let parts =
+        [(periodograms.svg(), periodograms.svg_size()), (means.svg()?, means.size()), (anisotropies.svg()?, anisotropies.size())];
     Some(stacked(&parts))
 }
 

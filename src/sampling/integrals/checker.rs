@@ -100,7 +100,8 @@ fn split(polygon: &[[f64; 2]], side: impl Fn([f64; 2]) -> f64) -> (Polygon, Poly
     for (i, &here) in polygon.iter().enumerate() {
         let next = polygon[(i + 1) % polygon.len()];
         let (a, b) = (side(here), side(next));
-        if a < 0.0 { below.push(here) } else { above.push(here) }
+        let part = if a < 0.0 { &mut below } else { &mut above };
+        part.push(here);
         if (a < 0.0) != (b < 0.0) {
             let share = a / (a - b);
             let crossing = [0, 1].map(|k| here[k] + share * (next[k] - here[k]));

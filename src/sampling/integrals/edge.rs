@@ -39,7 +39,7 @@ fn half_planes(angle: impl Fn([f64; 2]) -> f64) -> (Box<dyn PixelFunction>, Vec<
         HalfPlane { normal: [cos, sin], offset: (offset - 0.5) * (cos.abs() + sin.abs()) }
     };
     let planes: Vec<HalfPlane> = (0..EDGES).map(plane).collect();
-    let exact = planes.iter().map(|plane| plane.area()).collect();
+    let exact = planes.iter().map(HalfPlane::area).collect();
     (Box::new(HalfPlanes { planes }), exact)
 }
 

@@ -122,7 +122,8 @@ impl Periodogram {
         let principal = principal_frequency(n);
         let below = |share: f64| self.frequencies().filter(move |(f, _)| radius(*f) < share * principal).map(|(_, power)| power);
         let rings = self.rings();
-        let radial = |wanted: &dyn Fn(f64) -> bool| rings.iter().position(|r| wanted(r.mean())).map(|i| (i + 1) as f64 / principal);
+        let radial =
+            |wanted: &dyn Fn(f64) -> bool| rings.iter().position(|r| wanted(r.mean())).map(|i| (i + 1) as f64 / principal);
         let peak = rings.iter().map(Ring::mean).fold(0.0, f64::max);
         let of_interest = (1..).zip(&rings).filter(|(f, _)| (0.25 * principal..=2.0 * principal).contains(&f64::from(*f)));
         let on_axes = self.frequencies().filter(|(f, _)| f.contains(&0) && radius(*f) < 2.0 * principal);

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::super::SharedBar;
+use super::super::{SharedBar, check_interrupt, uses_seed};
 use super::Integrate;
 use crate::error::Result;
 use crate::sampling::integrals::PixelTest;
@@ -18,6 +18,7 @@ const POOL_SETS: (u32, u32) = (256, 4096);
 /// A pattern at one number of samples.
 struct Job<'a> {
     spec: &'a PatternSpec,
+    seeded: bool,
     spp: u32,
 }
 
@@ -28,23 +29,25 @@ impl Integrate {
         let title = if self.yaw == 0.0 { name.to_owned() } else { format!("{name}, yaw {}", self.yaw) };
         let total = specs.len() as u64 * counts.iter().map(|spp| u64::from(*spp)).sum::<u64>();
         let bar = SharedBar::new(total, self.drawing.quiet, name);
-        let jobs: Vec<Job<'_>> = specs.iter().flat_map(|spec| counts.iter().map(move |&spp| Job { spec, spp })).collect();
+        let seeded: Vec<bool> = specs.iter().map(uses_seed).collect::<Result<_>>()?;
+        let of_spec = |(spec, &seeded)| counts.iter().map(move |&spp| Job { spec, seeded, spp });
+        let jobs: Vec<Job<'_>> = specs.iter().zip(&seeded).flat_map(of_spec).collect();
         let errors = |job: &Job<'_>| {
             let rms = self.errors(&test, job)?;
             bar.advance(u64::from(job.spp))?;
             Ok(rms)
         };
         let all: Vec<Vec<(&str, f64)>> = jobs.par_iter().with_max_len(1).map(errors).collect::<Result<_>>()?;
-        let rows = specs.iter().zip(all.chunks(counts.len())).flat_map(|(spec, by_count)| {
-            let title = &title;
+        let rows = jobs.chunks(counts.len()).zip(all.chunks(counts.len())).flat_map(|(jobs, by_count)| {
+            let (job, title) = (&jobs[0], &title);
             (0..by_count[0].len()).map(move |part| {
                 let errors: Vec<IntegralError> =
                     counts.iter().zip(by_count).map(|(&spp, parts)| IntegralError { spp, rms: parts[part].1 }).collect();
                 IntegralRow {
                     test: title.clone(),
                     part: by_count[0][part].0.to_owned(),
-                    pattern: spec.to_string(),
-                    sets: self.sets_of(spec).to_owned(),
+                    pattern: job.spec.to_string(),
+                    sets: self.sets_of(job).to_owned(),
                     slope: IntegralRow::slope_of(&errors),
                     errors,
                 }
@@ -53,8 +56,8 @@ impl Integrate {
         Ok(rows.collect())
     }
 
-    fn sets_of(&self, spec: &PatternSpec) -> &'static str {
-        match (spec.pattern().seeded, self.shift) {
+    fn sets_of(&self, job: &Job<'_>) -> &'static str {
+        match (job.seeded, self.shift) {
             (true, _) => "fresh",
             (false, true) => "shifted",
             (false, false) => "fixed",
@@ -62,10 +65,10 @@ impl Integrate {
     }
 
     fn errors(&self, test: &PixelTest, job: &Job<'_>) -> Result<Vec<(&'static str, f64)>> {
-        let seeded = job.spec.pattern().seeded;
+        let seeded = job.seeded;
         let sets = if seeded { self.pool.unwrap_or((POOL_POINTS / job.spp).clamp(POOL_SETS.0, POOL_SETS.1)) } else { 1 };
         let set = |k: u32| {
-            super::super::check_interrupt()?;
+            check_interrupt()?;
             job.spec.points(job.spp, self.seed.wrapping_add(k))
         };
         let pool: Vec<Vec<[f64; 2]>> = (0..sets).into_par_iter().map(set).collect::<Result<_>>()?;

@@ -24,7 +24,7 @@ impl Integrate {
         let drawn_for_reference = u64::from(reference.first_needs().samples_per_pixel);
         let mut bar = Bar::new(drawn_for_reference + samples, self.drawing.quiet);
         bar.say(format!("{} {reference}", scene.name));
-        let exact = studio.reference(&reference, &Tick::of_frame(0), self.size, &Cache::of_user(), &mut bar)?.linear;
+        let exact = studio.reference(&reference, &Tick::of(&scene, 0), self.size, &Cache::of_user(), &mut bar)?.linear;
         bar.advance(drawn_for_reference);
         let mut rows = Vec::new();
         for (spec, methods) in specs.iter().zip(&methods) {
