@@ -16,7 +16,7 @@ pub use filters::{FILTERS, Filter, filter};
 pub use jitter::jitter_cycle;
 pub use patterns::{
     Counts, Density, DensityControl, Domain, MAX_POINTS, MAX_SET_POINTS, PATTERNS, Parameter, Pattern, PatternSpec, Progress,
-    Request, pattern, pattern_names,
+    Request, pattern, pattern_names, standard_positions,
 };
 use sequences::hilbert_index;
 pub use sequences::{hash, larcher_pillichshammer, owen_scrambled, radical_inverse, sobol_second};

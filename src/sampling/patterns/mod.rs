@@ -2,10 +2,17 @@
 //!
 //! Each file holds patterns of one kind, descriptor and generator side by side; the registry below is one line each.
 
+mod capacity;
+mod cell;
+mod darts;
 mod density;
 mod distribution;
+mod grid;
+mod hardware;
+mod lloyd;
 mod nets;
 mod parameter;
+mod raster;
 mod request;
 mod sequential;
 mod spec;
@@ -13,6 +20,7 @@ mod stratified;
 
 pub use density::Density;
 use distribution::Distribution;
+pub use hardware::standard_positions;
 use parameter::Job;
 pub use parameter::Parameter;
 pub use request::{Domain, Progress, Request};
@@ -119,6 +127,11 @@ pub const PATTERNS: &[Pattern] = &[
     nets::HAMMERSLEY_OWEN,
     nets::LARCHER_PILLICHSHAMMER,
     nets::FIBONACCI,
+    hardware::STANDARD_MSAA,
+    darts::POISSON_DISK,
+    darts::MITCHELL,
+    lloyd::LLOYD,
+    capacity::CCPD,
 ];
 
 impl Pattern {

@@ -51,8 +51,8 @@ pub(super) const FIBONACCI: Pattern = Pattern {
     summary: "a lattice of one generator: i/n against multiples of the golden ratio, modulo 1",
     source: "Zaremba 1966, Good Lattice Points, Discrepancy, and Numerical Integration",
     counts: Counts::Any,
-    parameters: &[],
-    generate: |job| fibonacci(job.n),
+    parameters: &[CENTRED],
+    generate: fibonacci,
     ..HAMMERSLEY
 };
 
@@ -71,8 +71,10 @@ fn net(job: &Job<'_>, second: fn(u32) -> u32) -> Vec<[f64; 2]> {
     (0..job.n).map(|i| [f64::from(i) / n, f64::from(second(i)) / 4_294_967_296.0]).collect()
 }
 
-fn fibonacci(n: u32) -> Vec<[f64; 2]> {
+fn fibonacci(job: &Job<'_>) -> Vec<[f64; 2]> {
     // The golden ratio less 1; ratios of neighbouring Fibonacci numbers tend to it.
     const GOLDEN: f64 = 0.618_033_988_749_894_8;
-    (0..n).map(|i| [(f64::from(i) + 0.5) / f64::from(n), ((f64::from(i) + 0.5) * GOLDEN).fract()]).collect()
+    let start = if job.switch("centred") { 0.5 } else { 0.0 };
+    let steps = (0..job.n).map(|i| f64::from(i) + start);
+    steps.map(|step| [step / f64::from(job.n), (step * GOLDEN).fract()]).collect()
 }
