@@ -26,7 +26,8 @@ fn a_table_has_plain_figures_and_comes_out_the_same_again() {
     assert_eq!((&regular["trials"], &regular["n"], &regular["stroud_variance"]), (&1.into(), &1024.into(), &0.0.into()));
     let jittered = row(&first, "jittered");
     assert_eq!(jittered["trials"], 4);
-    let (mean, rms, variance) = (number(&jittered, "stroud"), number(&jittered, "stroud_rms"), number(&jittered, "stroud_variance"));
+    let (mean, rms, variance) =
+        (number(&jittered, "stroud"), number(&jittered, "stroud_rms"), number(&jittered, "stroud_variance"));
     // Of the mean of squares: the square of the mean and the variance of the four.
     assert!((rms * rms - mean * mean - 0.75 * variance).abs() < 1e-15 && variance > 0.0, "{first}");
     assert!(!first.stdout.contains("timing") && !first.stdout.contains("torus_t"), "{first}");
@@ -131,8 +132,7 @@ fn a_photo_is_stippled_where_it_is_dark() {
     half.save(desk.path("photo.png")).expect("written");
     desk.run("patterns draw random -n 200 --density photo.png --size 100 -o dots.svg").succeeded();
     let svg = String::from_utf8(desk.read("dots.svg")).expect("UTF-8");
-    let places: Vec<f64> =
-        svg.split("<circle cx=\"").skip(1).filter_map(|rest| rest.split('"').next()?.parse().ok()).collect();
+    let places: Vec<f64> = svg.split("<circle cx=\"").skip(1).filter_map(|rest| rest.split('"').next()?.parse().ok()).collect();
     assert_eq!(places.len(), 200);
     assert!(places.iter().all(|x| *x <= 16.0 + 50.0), "no dot on white");
 }
