@@ -11,7 +11,7 @@ use crate::gpu::{Card, adapters};
 use crate::methods::METHODS;
 use crate::metrics::METRICS;
 use crate::metrics::temporal::MEASURES;
-use crate::sampling::{FILTERS, PATTERNS};
+use crate::sampling::{FILTERS, PATTERNS, Parameter};
 use crate::scene::SHIPPED;
 
 /// List what there is, with options, ranges and defaults
@@ -45,9 +45,7 @@ impl List {
                 .iter()
                 .map(|f| json!({ "name": f.name, "about": f.summary, "default radius in pixels": f.default_radius_px }))
                 .collect(),
-            What::Patterns => {
-                PATTERNS.iter().map(|p| json!({ "name": p.name, "about": p.summary, "uses the seed": p.seeded })).collect()
-            }
+            What::Patterns => patterns(),
             What::Metrics => METRICS
                 .iter()
                 .map(|m| {
@@ -75,6 +73,22 @@ fn methods() -> Vec<Value> {
         .map(|m| {
             let options: Vec<Value> = m.options.iter().map(option).collect();
             json!({ "name": m.name, "about": m.summary, "source": m.source, "options": options })
+        })
+        .collect()
+}
+
+fn patterns() -> Vec<Value> {
+    let parameter =
+        |p: &Parameter| json!({ "name": p.name, "about": p.help, "range": p.range(), "default": p.default.to_string() });
+    PATTERNS
+        .iter()
+        .map(|p| {
+            let parameters: Vec<Value> = p.parameters.iter().map(parameter).collect();
+            json!({
+                "name": p.name, "aliases": p.aliases, "about": p.summary, "source": p.source, "cost": p.cost, "uses the seed": p.seeded,
+                "any prefix is usable": p.progressive, "counts": p.counts.describe(), "density": p.density.describe(),
+                "options": parameters,
+            })
         })
         .collect()
 }

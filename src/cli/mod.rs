@@ -7,6 +7,7 @@ mod doctor;
 mod filter;
 mod list;
 mod output;
+mod patterns;
 mod quiet_loader;
 mod score;
 mod sequence;
@@ -34,6 +35,7 @@ Examples:
   dejag filter shots -m smaa -o smooth-shots
   dejag score edges fence -m none -m msaa -m ssaa:spp=16 --report report
   dejag sequence pan -m none -m smaa
+  dejag patterns table
   dejag list methods
   dejag doctor
 
@@ -46,6 +48,7 @@ enum Verb {
     Filter(filter::Filter),
     Score(score::Score),
     Sequence(Box<sequence::Sequence>),
+    Patterns(Box<patterns::Patterns>),
     List(list::List),
     Doctor(doctor::Doctor),
     Cache(cache::Cache),
@@ -89,6 +92,7 @@ pub fn main() -> ExitCode {
         Verb::Filter(verb) => verb.run(),
         Verb::Score(verb) => verb.run(),
         Verb::Sequence(verb) => verb.run(),
+        Verb::Patterns(verb) => verb.run(),
         Verb::List(verb) => verb.run(),
         Verb::Doctor(verb) => verb.run(),
         Verb::Cache(verb) => verb.run(),

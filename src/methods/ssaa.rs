@@ -15,7 +15,7 @@ use crate::pass::{
     Binding, Context, Draw, Encoding, FrameFacts, Inputs, Jitter, Kind, Method, Needs, OptionSpec, Options, Pass, Recorder,
     ScreenPass, Sum, Target, Technique,
 };
-use crate::sampling::{FILTERS, MAX_POINTS, PATTERNS, filter, pattern, weighted_offsets};
+use crate::sampling::{FILTERS, MAX_POINTS, filter, pattern, pattern_names, weighted_offsets};
 use crate::shader::{Source, part};
 
 const SHADER: Source = Source { name: "ssaa", parts: &[part!("common/screen.wgsl"), part!("ssaa.wgsl")] };
@@ -26,12 +26,7 @@ pub(super) const METHOD: Method = Method {
     source: "Haeberli and Akeley 1990, The Accumulation Buffer",
     options: &[
         OptionSpec { name: "spp", help: "samples a pixel", kind: Kind::Integer { min: 1, max: MAX_POINTS }, default: "16" },
-        OptionSpec {
-            name: "pattern",
-            help: "where the samples lie",
-            kind: Kind::Choice(|| PATTERNS.iter().map(|p| p.name).collect()),
-            default: "larcher",
-        },
+        OptionSpec { name: "pattern", help: "where the samples lie", kind: Kind::Choice(pattern_names), default: "larcher" },
         OptionSpec {
             name: "filter",
             help: "how much each counts",

@@ -29,9 +29,9 @@ impl Axis {
         Self { from: 0.0, to: if most > 0.0 { 1.12 * most } else { 1.0 }, logarithmic: false, pixels }
     }
 
-    /// A linear axis from 0 to `most`; drawn from `pixels[0]` to `pixels[1]`.
-    pub(super) fn from_zero_to(most: f64, pixels: [i32; 2]) -> Self {
-        Self { from: 0.0, to: most, logarithmic: false, pixels }
+    /// A linear axis from `least` to `most`; drawn from `pixels[0]` to `pixels[1]`.
+    pub(super) fn between(least: f64, most: f64, pixels: [i32; 2]) -> Self {
+        Self { from: least, to: most, logarithmic: false, pixels }
     }
 
     /// The pixel of a value.
@@ -66,14 +66,15 @@ impl Axis {
         let rough = (self.to - self.from) / 5.0;
         let power = 10_f64.powf(rough.log10().floor());
         let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|step| *step >= 0.8 * rough).unwrap_or(rough);
-        (0..=10).map(|i| step * f64::from(i)).take_while(|value| *value <= self.to).collect()
+        let first = (self.from / step).ceil();
+        (0..=10).map(|i| step * (first + f64::from(i))).take_while(|value| *value <= self.to).collect()
     }
 }
 
 /// A round value without the digits of its binary form.
 fn label(value: f64) -> String {
     let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
-    if rounded != 0.0 && !(1e-4..1e6).contains(&rounded) { format!("{rounded:e}") } else { rounded.to_string() }
+    if rounded != 0.0 && !(1e-4..1e6).contains(&rounded.abs()) { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
 #[cfg(test)]

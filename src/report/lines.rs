@@ -41,6 +41,8 @@ pub enum Scale {
     Linear,
     /// From 0 to here.
     LinearTo(f64),
+    /// From the first to the second.
+    Between(f64, f64),
     /// By powers.
     Logarithmic,
 }
@@ -71,9 +73,14 @@ impl LinePlot {
     /// As a file of its own. The same lines give the same bytes. None if there is nothing to draw.
     #[must_use]
     pub fn svg(&self) -> Option<String> {
-        let height = SIZE.1.max(self.series.len() as u32 * LEGEND.0 as u32 + 32);
+        let [width, height] = self.size();
         let empty = self.series.iter().all(|series| series.points.is_empty());
-        if empty { None } else { frame::svg((SIZE.0, height), |canvas| self.draw(canvas)) }
+        if empty { None } else { frame::svg((width, height), |canvas| self.draw(canvas)) }
+    }
+
+    /// Width and height in pixels: as high as the legend asks for.
+    pub(super) fn size(&self) -> [u32; 2] {
+        [SIZE.0, SIZE.1.max(self.series.len() as u32 * LEGEND.0 as u32 + 32)]
     }
 
     /// As a part of a page.
@@ -133,7 +140,8 @@ impl Scale {
     fn axis(self, values: impl Iterator<Item = f64>, pixels: [i32; 2]) -> Axis {
         match self {
             Self::Linear => Axis::from_zero(values, pixels),
-            Self::LinearTo(most) => Axis::from_zero_to(most, pixels),
+            Self::LinearTo(most) => Axis::between(0.0, most, pixels),
+            Self::Between(least, most) => Axis::between(least, most, pixels),
             Self::Logarithmic => Axis::logarithmic(values, pixels),
         }
     }

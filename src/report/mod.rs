@@ -9,6 +9,7 @@ mod html;
 mod labels;
 mod lines;
 mod page;
+mod patterns;
 mod placement;
 mod plot;
 mod points;
@@ -24,8 +25,9 @@ mod words;
 pub use frames_folder::FramesFolder;
 pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
 pub use lines::{LinePlot, Scale, Series};
+pub use patterns::{Panel, Panels, deviation_map, integral_csv, power_map, spectrum_svg};
 pub use sequence::{SequenceReport, Shown, strip_places};
-pub use terminal::{TABLE_WIDTH, sequence_table, table};
+pub use terminal::{TABLE_WIDTH, integral_table, pattern_table, sequence_table, spectrum_table, table};
 
 use serde::Serialize;
 

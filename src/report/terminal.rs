@@ -5,11 +5,13 @@ use crate::suite::{MethodResult, Outcome, Results, SceneResult, Timing};
 
 mod grid;
 mod ink;
+mod patterns;
 mod probes;
 mod sequence;
 
 use grid::Grid;
 use ink::Ink;
+pub use patterns::{integral_table, pattern_table, spectrum_table};
 pub use sequence::sequence_table;
 
 /// The width that every line keeps to, in characters.

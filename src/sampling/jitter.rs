@@ -9,7 +9,7 @@ use super::Pattern;
 /// one that is farthest from all before, around the pixel's borders.
 #[must_use]
 pub fn jitter_cycle(pattern: &Pattern, length: u32, seed: u32) -> Vec<[f64; 2]> {
-    let points = (pattern.points)(length, seed);
+    let points = pattern.points(length, seed);
     let ordered = if pattern.progressive { points } else { farthest_first(points) };
     let mean = [0, 1].map(|k| ordered.iter().map(|p| p[k]).sum::<f64>() / f64::from(length));
     ordered.into_iter().map(|p| [p[0] - mean[0], p[1] - mean[1]]).collect()

@@ -1,18 +1,25 @@
 //! Point sets and reconstruction filters: pure arithmetic in f64, no GPU.
 //!
 //! A pattern gives N points in the unit square; a filter gives a point's weight in a pixel. Both are registry slices: a new one is
-//! one function and one line.
+//! one function and one line. A [`PatternSpec`] is a pattern with values for its parameters; a [`Request`] says how many points, in
+//! which domain, how densely where.
 
 mod filters;
+pub mod integrals;
 mod jitter;
+pub mod measure;
 mod patterns;
 mod sequences;
+mod stream;
 
 pub use filters::{FILTERS, Filter, filter};
 pub use jitter::jitter_cycle;
-pub use patterns::{MAX_POINTS, PATTERNS, Pattern, pattern};
+pub use patterns::{
+    Counts, Density, DensityControl, Domain, MAX_POINTS, MAX_SET_POINTS, PATTERNS, Parameter, Pattern, PatternSpec, Progress,
+    Request, pattern, pattern_names, standard_positions,
+};
 use sequences::hilbert_index;
-pub use sequences::{hash, larcher_pillichshammer, owen_scrambled, radical_inverse};
+pub use sequences::{hash, larcher_pillichshammer, owen_scrambled, radical_inverse, sobol_second};
 
 /// A sample of a pixel: where, and how much it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +37,7 @@ pub struct WeightedOffset {
 /// even-numbered points into one half of the pixel.
 #[must_use]
 pub fn weighted_offsets(pattern: &Pattern, n: u32, seed: u32, filter: &Filter, radius_px: f64) -> Vec<WeightedOffset> {
-    let mut points = (pattern.points)(n, seed);
+    let mut points = pattern.points(n, seed);
     points.sort_by_key(|p| hilbert_index(*p));
     let halves = points.iter().step_by(2).chain(points.iter().skip(1).step_by(2));
     halves

@@ -1,11 +1,13 @@
 //! What a run of the bench says, as data: no GPU, no layout. `bench` fills it, `report` shows it.
 
 mod edges;
+mod patterns;
 mod probes;
 mod results;
 mod sequence;
 
 pub use edges::{EdgeCurve, EdgeErrors};
+pub use patterns::{IntegralError, IntegralRow, NearestFigures, PatternRow, PatternTiming, SpectrumRow};
 pub use probes::{ConvergenceFigures, CrawlFigures, EdgeAngle, PositionFigures, ProbeFigures, ResponseFigures, SharpnessFigure};
 pub use results::{
     AnalyticDistance, MethodResult, NoiseFloor, Outcome, PassTiming, ReferenceResult, ReferenceTiming, Results, SCHEMA_VERSION,

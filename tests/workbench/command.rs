@@ -6,6 +6,7 @@ mod filtering;
 mod models;
 mod names;
 mod outputs;
+mod patterns;
 mod repeating;
 mod scenes;
 mod sequences;

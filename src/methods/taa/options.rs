@@ -1,7 +1,7 @@
 //! What can be set, and what the presets set.
 
 use crate::pass::{Kind, OptionSpec, Options};
-use crate::sampling::{FILTERS, PATTERNS};
+use crate::sampling::{FILTERS, pattern_names};
 
 /// A preset and what it sets where an option says `auto`.
 struct Preset {
@@ -112,7 +112,7 @@ impl Settings {
         OptionSpec {
             name: "jitter",
             help: "where in the pixel each frame samples, one point of this set after another",
-            kind: Kind::Choice(|| PATTERNS.iter().map(|p| p.name).collect()),
+            kind: Kind::Choice(pattern_names),
             default: "halton",
         },
         OptionSpec {
