@@ -15,6 +15,9 @@ use crate::sampling::{Density, Domain, MAX_SET_POINTS, PatternSpec, Progress, Re
 /// Of a dot, in sides of a point's share of the square.
 pub(super) const DOT_RADIUS: f64 = 0.2;
 
+/// Of the dots of a few points, in sides of the square.
+const LARGEST_DOT: f64 = 0.02;
+
 /// Of a set's progress on the bar.
 const PARTS: u32 = 1000;
 
@@ -126,7 +129,7 @@ impl Draw {
         let panel = |title: String, points: &[[f64; 2]]| Panel {
             title,
             ground: None,
-            radius: DOT_RADIUS / (points.len() as f64).sqrt(),
+            radius: (DOT_RADIUS / (points.len() as f64).sqrt()).min(LARGEST_DOT),
             points: points.to_vec(),
             round: domain == Domain::Disk,
         };

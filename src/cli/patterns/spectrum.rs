@@ -18,6 +18,9 @@ use crate::suite::SpectrumRow;
 /// How far periodograms reach, in principal frequencies.
 const REACH: f64 = 2.0;
 
+/// How many sets are worked on side by side.
+const AT_ONCE: usize = 64;
+
 /// Of a periodogram in a picture, in pixels: at least, and times a whole number of its own.
 const SIDE_PX: u32 = 384;
 
@@ -64,7 +67,7 @@ impl Spectrum {
         Ok(ExitCode::SUCCESS)
     }
 
-    /// Sets side by side, added in the order of their seeds.
+    /// Sets side by side, added in the order of their seeds, and never many of them in memory.
     fn periodogram(&self, spec: &PatternSpec, trials: u32, bar: &SharedBar) -> Result<Periodogram, Error> {
         let highest = (REACH * principal_frequency(self.sets.n as usize)).ceil() as usize;
         let of_trial = |trial: u32| {
@@ -72,10 +75,12 @@ impl Spectrum {
             bar.advance(1)?;
             Ok(periodogram)
         };
-        let each: Vec<Periodogram> = (0..trials).into_par_iter().map(of_trial).collect::<Result<_, Error>>()?;
-        let (first, others) = each.split_first().expect("a pattern has at least one trial");
-        let mut sum = first.clone();
-        others.iter().for_each(|other| sum.add(other));
+        let mut sum = of_trial(0)?;
+        for first in (1..trials).step_by(AT_ONCE) {
+            let together = first..trials.min(first + AT_ONCE as u32);
+            let each: Vec<Periodogram> = together.into_par_iter().map(of_trial).collect::<Result<_, Error>>()?;
+            each.iter().for_each(|one| sum.add(one));
+        }
         Ok(sum)
     }
 
@@ -92,7 +97,7 @@ impl Spectrum {
             peak_frequency: figures.peak_frequency,
             onset_frequency: figures.onset_frequency,
             anisotropy_db: Some(figures.anisotropy_db).filter(|db| db.is_finite()),
-            anisotropy_floor_db: -10.0 * f64::from(periodogram.sets()).log10() + 0.0,
+            anisotropy_floor_db: 10.0 * f64::from(periodogram.sets()).recip().log10(),
             axis: figures.axis,
             radial_mean: periodogram.radial_mean(),
             radial_anisotropy_db: periodogram

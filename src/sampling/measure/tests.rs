@@ -3,7 +3,7 @@
 use super::*;
 use crate::sampling::{PatternSpec, hash, larcher_pillichshammer, radical_inverse};
 
-/// Sets of this many trials are enough for tests to tell patterns apart.
+/// So many trials are enough for tests to tell patterns apart.
 const TRIALS: u32 = 60;
 
 const COUNTS: [u32; 6] = [4, 16, 64, 256, 1024, 4096];
@@ -105,22 +105,28 @@ fn a_shift_on_the_torus_changes_a_net_only_in_the_star() {
     assert!(off(stroud(&shifted), stroud(&random)) > 1e-3, "not so where rectangles end at the sides");
 }
 
-/// Whether the mean of T^2 over trials is what it should be, to three standard errors.
-fn meets(spec: &str, n: u32, expected_rms: f64) -> bool {
-    let squares: Vec<f64> = (0..TRIALS).map(|seed| stroud(&set(spec, n, seed)).powi(2)).collect();
-    let spread = Spread::of(&squares).expect("trials");
-    (spread.mean - (1e-3 * expected_rms).powi(2)).abs() < 3.0 * spread.standard_error()
-}
+/// Roots of the expectations of T^2, times 1000, for [`COUNTS`] points.
+const EXPECTED: [(&str, [f64; 6]); 4] = [
+    ("random", [144.3376, 72.1688, 36.0844, 18.0422, 9.02110, 4.5105]),
+    ("jittered", [130.1041, 52.0182, 19.5719, 7.1391, 2.56379, 0.9135]),
+    ("semi-jittered", [129.1625, 50.1640, 20.6637, 8.9939, 4.11363, 1.9526]),
+    ("n-rooks", [117.2743, 47.3918, 21.6197, 10.5175, 5.22102, 2.6058]),
+];
 
 #[test]
 fn rectangle_discrepancies_of_random_sets_have_their_expectations() {
-    let random = [144.3376, 72.1688, 36.0844, 18.0422, 9.02110, 4.5105];
-    let jittered = [130.1041, 52.0182, 19.5719, 7.1391, 2.56379, 0.9135];
     for (i, n) in COUNTS.into_iter().enumerate() {
-        assert!(meets("random", n, random[i]), "random, {n}");
-        assert!(meets("jittered", n, jittered[i]), "jittered, {n}");
-        if n >= 64 {
-            assert!(!meets("random", n, jittered[i]) && !meets("jittered", n, random[i]), "{n}");
+        for (pattern, expected) in EXPECTED {
+            // The largest sets take long.
+            let trials = if n > 1024 { TRIALS / 3 } else { TRIALS };
+            let squares: Vec<f64> = (0..trials).map(|seed| stroud(&set(pattern, n, seed)).powi(2)).collect();
+            let spread = Spread::of(&squares).expect("trials");
+            let meets = |rms: f64| (spread.mean - (1e-3 * rms).powi(2)).abs() < 3.0 * spread.standard_error();
+            assert!(meets(expected[i]), "{pattern}, {n}: {}", spread.mean.sqrt());
+            let others = EXPECTED.iter().filter(|(other, _)| *other != pattern && n >= 256);
+            for (other, rms) in others {
+                assert!(!meets(rms[i]), "{pattern} is taken for {other} at {n}");
+            }
         }
     }
 }

@@ -99,6 +99,13 @@ impl Grid {
         ((f64::from(ring - 1) + inside[0].min(inside[1])) / side - 1e-12).max(0.0)
     }
 
+    /// The last ring that holds points within `distance` of its middle; `None` if rings up to it go round, so that looking at all
+    /// points is simpler.
+    pub(super) fn rings_within(&self, distance: f64) -> Option<i32> {
+        let rings = (distance * f64::from(self.side)).floor() + 1.0;
+        (2.0 * rings + 1.0 <= f64::from(self.side)).then_some(rings as i32)
+    }
+
     /// Rings beyond this are empty, except on a torus, which goes on for ever.
     pub(super) fn last_ring(&self) -> i32 {
         if self.torus { i32::MAX } else { self.side }

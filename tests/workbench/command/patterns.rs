@@ -30,7 +30,7 @@ fn a_table_has_plain_figures_and_comes_out_the_same_again() {
         (number(&jittered, "stroud"), number(&jittered, "stroud_rms"), number(&jittered, "stroud_variance"));
     // Of the mean of squares: the square of the mean and the variance of the four.
     assert!((rms * rms - mean * mean - 0.75 * variance).abs() < 1e-15 && variance > 0.0, "{first}");
-    assert!(!first.stdout.contains("timing") && !first.stdout.contains("torus_t"), "{first}");
+    assert!(!first.stdout.contains("timing") && !first.stdout.contains("stroud_torus"), "{first}");
     assert_eq!(first.stdout, run().stdout);
     assert_ne!(first.stdout, desk.run("patterns table regular hammersley jittered --trials 4 --seed 9 --json -").stdout);
     assert_eq!(desk.names(), Vec::<String>::new(), "nothing was asked to be written");
@@ -59,6 +59,8 @@ fn one_point_has_a_row_without_neighbours() {
 fn what_makes_no_sense_is_2() {
     let desk = Desk::new();
     desk.write("white.png", white_png());
+    let nan = image::Rgb32FImage::from_pixel(4, 4, image::Rgb([0.5, f32::NAN, 0.5]));
+    nan.save(desk.path("nan.exr")).expect("written");
     for (arguments, words) in [
         ("patterns table -n 0", &["'0'", "1..=65536"][..]),
         ("patterns table -n 1000000000", &["'1000000000'", "1..=65536"]),
@@ -73,12 +75,14 @@ fn what_makes_no_sense_is_2() {
         ("patterns draw --prefix 0 -o a.svg", &["--prefix", "'0'"]),
         ("patterns draw random --generation 3 -o a.svg", &["random has no parameters"]),
         ("patterns draw --density white.png -n 8 -o a.svg", &["all values are 0"]),
+        ("patterns draw --density nan.exr -n 8 -o a.svg", &["NaN", "finite and at least 0"]),
         ("patterns discrepancy r2", &["--output"]),
         ("patterns spectrum r2 -n 16 -o a.pdf", &[".png or .svg"]),
         ("patterns integrate", &["<SCENE>"]),
         ("patterns integrate --test zones", &["did you mean 'zone'?"]),
         ("patterns integrate edges --test zone", &["cannot be used with"]),
         ("patterns integrate --test zone --spp 0", &["--spp"]),
+        ("patterns integrate --test zone --pool 262144", &["--pool", "262144 sets of 1024 points"]),
         ("patterns integrate --test checker --yaw NaN", &["-180 to 180"]),
         ("patterns integrate --test zone --plot plot.png", &["plot.png", ".svg"]),
         ("patterns integrate edges --patterns halton:base_x=5", &["under their defaults"]),

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::super::{SharedBar, check_interrupt, uses_seed};
 use super::Integrate;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::sampling::integrals::PixelTest;
 use crate::sampling::{PatternSpec, hash};
 use crate::suite::{IntegralError, IntegralRow};
@@ -14,6 +14,9 @@ const POOL_POINTS: u32 = 1 << 18;
 
 /// Few sets would all be alike by chance, and no more are needed to tell patterns apart.
 const POOL_SETS: (u32, u32) = (256, 4096);
+
+/// Half a gigabyte.
+const MOST_POINTS: u64 = 1 << 25;
 
 /// A pattern at one number of samples.
 struct Job<'a> {
@@ -25,6 +28,7 @@ struct Job<'a> {
 impl Integrate {
     /// Patterns and numbers of samples side by side, the sets of a pool too.
     pub(super) fn on_pixels(&self, name: &str, specs: &[PatternSpec], counts: &[u32]) -> Result<Vec<IntegralRow>> {
+        self.check_pool(counts)?;
         let test = PixelTest::new(name, self.yaw)?;
         let title = if self.yaw == 0.0 { name.to_owned() } else { format!("{name}, yaw {}", self.yaw) };
         let total = specs.len() as u64 * counts.iter().map(|spp| u64::from(*spp)).sum::<u64>();
@@ -54,6 +58,16 @@ impl Integrate {
             })
         });
         Ok(rows.collect())
+    }
+
+    fn check_pool(&self, counts: &[u32]) -> Result<()> {
+        let most = counts.iter().copied().max().unwrap_or(1);
+        match self.pool {
+            Some(sets) if u64::from(sets) * u64::from(most) > MOST_POINTS => Err(Error::Request(format!(
+                "--pool: {sets} sets of {most} points do not fit; together they may have {MOST_POINTS} points"
+            ))),
+            _ => Ok(()),
+        }
     }
 
     fn sets_of(&self, job: &Job<'_>) -> &'static str {
