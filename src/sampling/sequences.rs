@@ -25,7 +25,7 @@ pub fn larcher_pillichshammer(index: u32) -> u32 {
 #[must_use]
 pub fn sobol_second(index: u32) -> u32 {
     let directions = std::iter::successors(Some(1u32 << 31), |v| Some(v ^ v >> 1));
-    directions.zip((0..32).map(|k| index >> k & 1)).fold(0, |bits, (direction, digit)| bits ^ direction * digit)
+    directions.zip((0..32).map(|k| index >> k & 1)).fold(0, |bits, (direction, digit)| bits ^ (direction * digit))
 }
 
 /// Owen's nested uniform scrambling in base 2 (1995) of a binary fraction of 2^32: each bit is flipped by a coin that depends on

@@ -121,3 +121,43 @@ impl Cumulative {
         (cell, ((goal - self.0[cell]) / (self.0[cell + 1] - self.0[cell])).min(1.0))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn senseless_densities_are_refused() {
+        for (width, height, values, word) in [
+            (0, 3, vec![], "empty"),
+            (2, 1, vec![1.0], "fill"),
+            (2, 1, vec![1.0, f64::NAN], "column 1, row 0 is NaN"),
+            (1, 2, vec![1.0, f64::INFINITY], "column 0, row 1 is inf"),
+            (1, 1, vec![-1.0], "is -1"),
+            (2, 1, vec![0.0, 0.0], "all values are 0"),
+            (2, 1, vec![f64::MAX, f64::MAX], "overflows"),
+        ] {
+            let error = Density::new(width, height, values).expect_err(word).to_string();
+            assert!(error.contains(word), "{error}");
+        }
+    }
+
+    #[test]
+    fn areas_become_shares_of_the_density() {
+        let density = Density::new(3, 2, vec![0.0, 2.0, 0.0, 1.0, 0.0, 5.0]).expect("fine");
+        let inversion = Inversion::new(&density);
+        let mut shares = [0.0; 6];
+        // Rows have 1/4 and 3/4 of the mass, cells 1/6 and 5/6 of theirs: 24 x 24 points divide evenly.
+        for i in 0..576 {
+            let [x, y] = inversion.place([f64::from(i % 24), f64::from(i / 24)].map(|x| (x + 0.5) / 24.0));
+            shares[(y * 2.0) as usize * 3 + (x * 3.0) as usize] += 1.0 / 576.0;
+        }
+        for (share, value) in shares.iter().zip(&density.values) {
+            assert!((share - value / 8.0).abs() < 1e-12, "{shares:?}");
+        }
+        // The ends too stay where there is mass.
+        assert_eq!(inversion.place([0.0, 0.0]), [1.0 / 3.0, 0.0]);
+        let [x, y] = inversion.place([1.0 - f64::EPSILON / 2.0; 2]);
+        assert!(x > 0.99 && y > 0.99 && x <= 1.0 && y <= 1.0, "{x} {y}");
+    }
+}

@@ -115,3 +115,59 @@ impl fmt::Display for PatternSpec {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refusal(text: &str) -> String {
+        PatternSpec::parse(text).expect_err(text).to_string()
+    }
+
+    #[test]
+    fn specs_are_read_and_written_back() {
+        for (text, canonical) in [
+            ("lloyd", "lloyd"),
+            ("lloyd:generations=400,raster=512", "lloyd:generations=400,raster=512"),
+            ("lloyd:raster=512,generations=40", "lloyd:raster=512"),
+            ("larcher: centred = 0", "larcher-pillichshammer:centred=0"),
+            ("semi-jittered:amplitude=.25", "semi-jittered:amplitude=0.25"),
+        ] {
+            let spec: PatternSpec = text.parse().expect(text);
+            assert_eq!(spec.to_string(), canonical);
+            assert_eq!(PatternSpec::parse(canonical).expect(canonical).points(20, 1).ok(), spec.points(20, 1).ok());
+        }
+        let spec = PatternSpec::parse("lloyd").and_then(|spec| spec.with("generations", 3.0)).expect("in range");
+        assert_eq!(spec.to_string(), "lloyd:generations=3");
+    }
+
+    #[test]
+    fn refusals_say_what_there_is() {
+        assert!(refusal("loyd").contains("did you mean 'lloyd'"));
+        assert!(refusal("lloyd:generation=3").contains("'generations'"));
+        assert!(refusal("lloyd:generations").contains("NAME=VALUE"));
+        assert!(refusal("lloyd:generations=many").contains("generations=many is out of range; generations takes a whole number"));
+        assert!(refusal("lloyd:generations=2.5").contains("0 to 10000"));
+        assert!(refusal("lloyd:torus=1,torus=1").contains("twice"));
+        assert!(refusal("poisson-disk:radius=nan").contains("radius=nan"));
+        assert!(refusal("r2:centred=1").contains("no parameters"));
+    }
+
+    #[test]
+    fn counts_beyond_the_limits_are_refused() {
+        let spec = PatternSpec::parse("random").expect("exists");
+        for n in [0, MAX_SET_POINTS + 1, 1_000_000_000] {
+            let error = spec.points(n, 0).expect_err("out of range").to_string();
+            assert!(error.contains("1 to 65536"), "{error}");
+        }
+        assert_eq!(spec.points(MAX_SET_POINTS, 0).expect("in range").len(), MAX_SET_POINTS as usize);
+    }
+
+    #[test]
+    fn a_density_that_is_dark_all_over_the_disk_is_refused() {
+        let corner = crate::sampling::Density::new(8, 8, (0..64).map(|i| f64::from(i == 0)).collect()).expect("not all dark");
+        let request = Request { domain: crate::sampling::Domain::Disk, density: Some(&corner), ..Request::new(4, 0) };
+        let spec = PatternSpec::parse("random").expect("exists");
+        assert!(spec.generate(&request).expect_err("dark").to_string().contains("all values are 0"));
+    }
+}
