@@ -61,7 +61,7 @@ impl Spectrum {
         let rows: Vec<SpectrumRow> = specs.iter().zip(&periodograms).map(|(spec, p)| self.row(spec, p)).collect();
         if let (Some(kind), Some(path)) = (kind, &self.output) {
             let panels = panels(&rows, &periodograms)?;
-            kind.write(path, || spectrum_svg(&panels, &rows), || panels.picture())?;
+            kind.write(path, || Some(spectrum_svg(&panels, &rows)), || panels.picture())?;
         }
         self.figures.show(&rows, report::spectrum_table)?;
         Ok(ExitCode::SUCCESS)

@@ -9,9 +9,10 @@ use crate::suite::SpectrumRow;
 /// Range of the plot of anisotropies in dB: from below what a thousand sets leave to above what a grid has.
 const ANISOTROPY_DB: (f64, f64) = (-32.0, 24.0);
 
-/// Periodograms in a row, radial means and anisotropies below, one line a pattern. None if there is nothing to draw.
+/// Periodograms in a row, radial means and anisotropies below, one line a pattern. A plot that would be empty is left out, as that of
+/// anisotropies is where every ring is even.
 #[must_use]
-pub fn spectrum_svg(periodograms: &Panels, rows: &[SpectrumRow]) -> Option<String> {
+pub fn spectrum_svg(periodograms: &Panels, rows: &[SpectrumRow]) -> String {
     let over_frequency = |title: &str, y: Scale, values: &dyn Fn(&SpectrumRow) -> Vec<Option<f64>>| LinePlot {
         x: ("frequency / sqrt(n)".into(), Scale::Linear),
         y: (title.into(), y),
@@ -20,9 +21,9 @@ pub fn spectrum_svg(periodograms: &Panels, rows: &[SpectrumRow]) -> Option<Strin
     let means = over_frequency("radial mean power", Scale::Linear, &|row| row.radial_mean.iter().copied().map(Some).collect());
     let (low, high) = ANISOTROPY_DB;
     let anisotropies = over_frequency("anisotropy in dB", Scale::Between(low, high), &|row| row.radial_anisotropy_db.clone());
-    let parts =
-        [(periodograms.svg(), periodograms.svg_size()), (means.svg()?, means.size()), (anisotropies.svg()?, anisotropies.size())];
-    Some(stacked(&parts))
+    let plots = [means, anisotropies].into_iter().filter_map(|plot| Some((plot.svg()?, plot.size())));
+    let parts: Vec<(String, [u32; 2])> = std::iter::once((periodograms.svg(), periodograms.svg_size())).chain(plots).collect();
+    stacked(&parts)
 }
 
 fn curve(row: &SpectrumRow, values: &[Option<f64>]) -> Series {

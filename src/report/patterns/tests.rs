@@ -81,12 +81,14 @@ fn spectra_have_pictures_and_curves() {
     };
     let mut periodograms = panels(2);
     periodograms.panels[0].ground = Some(power_map(&[0.0, 1.0, 2.0, 3.0], 2).expect("four"));
-    let svg = spectrum_svg(&periodograms, &[row("one"), row("other")]).expect("curves");
+    let svg = spectrum_svg(&periodograms, &[row("one"), row("other")]);
     for text in ["data:image/png;base64,", "radial mean power", "anisotropy in dB", "other", "-20"] {
         assert!(svg.contains(text), "{text} in {svg}");
     }
     assert_eq!(svg.matches("<svg").count(), 4);
-    assert_eq!(spectrum_svg(&panels(0), &[]), None);
+    let even = SpectrumRow { radial_anisotropy_db: vec![None; 4], ..row("even") };
+    assert_eq!(spectrum_svg(&panels(1), &[even]).matches("<svg").count(), 3, "no plot without a line");
+    assert_eq!(spectrum_svg(&panels(0), &[]).matches("<svg").count(), 2);
 }
 
 #[test]

@@ -113,6 +113,7 @@ fn pictures_are_what_their_names_say_and_the_same_again() {
         ("patterns discrepancy hammersley -n 64 --size 64 -o e.svg", "e.svg"),
         ("patterns spectrum jittered r2 -n 64 --trials 3 -o f.svg", "f.svg"),
         ("patterns spectrum jittered -n 64 --trials 3 -o g.png", "g.png"),
+        ("patterns spectrum regular -n 1 -o h.svg", "h.svg"),
     ] {
         desk.run(arguments).succeeded();
         let bytes = desk.read(file);

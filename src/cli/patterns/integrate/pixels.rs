@@ -88,7 +88,8 @@ impl Integrate {
         let pool: Vec<Vec<[f64; 2]>> = (0..sets).into_par_iter().map(set).collect::<Result<_>>()?;
         let shifted = !seeded && self.shift;
         let error = |pixel: usize| {
-            let points = pool[pixel % pool.len()].iter();
+            // By chance: in turn, squares of pixels that are averaged would have the same few sets again and again.
+            let points = pool[(hash(pixel as u64) % pool.len() as u64) as usize].iter();
             if shifted {
                 let shift = shift_of(self.seed, pixel);
                 test.error(pixel, points.map(|p| [0, 1].map(|k| (p[k] + shift[k]).fract())))
