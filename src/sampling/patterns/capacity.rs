@@ -1,8 +1,8 @@
 //! Capacity-constrained point distributions: as Lloyd's, but every site has the same number of many random points to itself.
 //!
 //! Points start at random sites. Two sites swap points as long as each of the two comes nearer to its site; then every site moves
-//! to the centre of what it has; until nobody swaps. Swapping whenever the two distances shrink in sum would go on for three times
-//! as many generations, towards a hexagonal lattice and away from the published discrepancies and spectra. So would a start from
+//! to the centre of what it has; until nobody swaps. Swapping whenever the two distances shrink in sum goes on for two to four
+//! times as many generations, towards a hexagonal lattice and away from the published discrepancies and spectra. So would a start from
 //! near sites: the random one leaves less of the points' own unevenness at low frequencies.
 //!
 //! Only pairs are asked whose farthest points may reach each other, which after the first generation are few.

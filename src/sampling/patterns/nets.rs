@@ -6,8 +6,11 @@ use crate::sampling::stream::Stream;
 
 const CENTRED: Parameter =
     Parameter::switch("centred", "1: at the middles of the n strata, so that the mean is the middle; 0: at their starts", true);
-const XOR: Parameter =
-    Parameter::switch("xor", "1: the seed toggles bits of both coordinates, a random digital shift that keeps the net", false);
+const XOR: Parameter = Parameter::switch(
+    "xor",
+    "1: the seed toggles bits of both coordinates, a random digital shift that keeps the net and leaves nothing to centre",
+    false,
+);
 
 pub(super) const HAMMERSLEY: Pattern = Pattern {
     name: "hammersley",

@@ -37,8 +37,11 @@ impl Parameter {
     /// The range in words.
     #[must_use]
     pub fn range(&self) -> String {
-        let kind = if self.whole { "a whole number from " } else { "" };
-        format!("{kind}{} to {}", self.min, self.max)
+        match (self.whole, [self.min, self.max]) {
+            (true, [0.0, 1.0]) => "0 or 1".into(),
+            (true, [min, max]) => format!("a whole number from {min} to {max}"),
+            (false, [min, max]) => format!("{min} to {max}"),
+        }
     }
 
     /// Whether `value` may be given; the error shows it as it was `written`.
