@@ -53,7 +53,7 @@ pub(super) struct Integrate {
     /// Move patterns without a seed on the torus, by chance for each pixel
     #[arg(long)]
     shift: bool,
-    /// Different sets of a pattern with a seed [default: 2^18 points, 256 to 4096 sets]
+    /// Different sets of a pattern with a seed [default: 2^20 points, 256 to 65536 sets]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=262_144))]
     pool: Option<u32>,
     /// The first seed

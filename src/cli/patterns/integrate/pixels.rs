@@ -10,10 +10,10 @@ use crate::sampling::{PatternSpec, hash};
 use crate::suite::{IntegralError, IntegralRow};
 
 /// How many points all sets of a pool have together, if nothing else is asked for.
-const POOL_POINTS: u32 = 1 << 18;
+const POOL_POINTS: u32 = 1 << 20;
 
-/// Few sets would all be alike by chance, and no more are needed to tell patterns apart.
-const POOL_SETS: (u32, u32) = (256, 4096);
+/// Of fewer, what is common to them by chance would show; more than pixels are of no use.
+const POOL_SETS: (u32, u32) = (256, 65_536);
 
 /// Half a gigabyte.
 const MOST_POINTS: u64 = 1 << 25;
