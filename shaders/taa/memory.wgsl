@@ -24,7 +24,6 @@ fn corner_code(packed: u32) -> vec3<f32> {
     return vec3<f32>(vec3<u32>(packed, packed >> 10u, packed >> 20u) & vec3<u32>(1023u)) - 512.0;
 }
 
-
 fn low_code(low: vec3<f32>) -> vec3<f32> {
     return floor(511.0 * companded(low));
 }

@@ -4,10 +4,10 @@
 override RECTIFY: u32 = 2u;
 // Share by which a remembered box gives way to this frame's; 1 remembers none.
 override FORGETTING: f32 = 0.16666667;
-// Most frames that a mean stands for at rest.
-override MOST_STILL: f32 = 64.0;
 // The same where this frame shows most of what was remembered: nothing thin is missing, so the light has changed.
 override FORGETTING_SEEN: f32 = 0.5;
+// Most frames that a mean stands for at rest.
+override MOST_STILL: f32 = 64.0;
 // Share of its frames that a mean loses each time it is clipped by as much as the box is wide, and how many it keeps. All at once would
 // let a pixel that is hit once a cycle swing from one cycle to the next.
 override CLIPPED_LOSES: f32 = 0.25;
