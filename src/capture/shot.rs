@@ -205,7 +205,15 @@ impl<'a> Studio<'a> {
                 (None, DisplayPicture::new(coded.width(), coded.height(), coded.into_pixels())?)
             }
         };
-        Ok(Capture { linear, display, samples_per_pixel: f64::from(shot.samples_per_pixel()), target_bytes: shot.target_bytes() })
+        Ok(Capture { linear, display, samples_per_pixel: self.shaded(shot)?, target_bytes: shot.target_bytes() })
+    }
+
+    /// Samples a pixel that were shaded for what was taken last.
+    fn shaded(&self, shot: &Shot) -> Result<f64> {
+        let Some(shaded) = shot.stages[0].pass.shaded() else { return Ok(f64::from(shot.samples_per_pixel())) };
+        let counts = self.gpu.read_linear(shaded.counts.texture())?;
+        let sum: f64 = counts.pixels().iter().map(|pixel| f64::from(pixel[3])).sum();
+        Ok(sum / counts.pixels().len() as f64 + f64::from(shaded.beside))
     }
 
     /// Prepares, takes and reads in one go.

@@ -15,11 +15,13 @@
 
 mod draw;
 mod mips;
+mod outline;
 mod pipelines;
 mod resources;
 mod targets;
 mod uniforms;
 
+pub use outline::SHADER as OUTLINE_SHADER;
 pub use targets::Targets;
 
 use crate::error::{Error, Result};
@@ -27,6 +29,7 @@ use crate::gpu::Gpu;
 use crate::pass::{Draw, Extras, Recorder, Target};
 use crate::scene::{Frame, Scene};
 use crate::shader::{Source, layout::Layout, part};
+use outline::Outline;
 use pipelines::Pipelines;
 use resources::Resources;
 
@@ -59,6 +62,7 @@ pub struct Forward {
     queue: wgpu::Queue,
     resources: Resources,
     pipelines: Pipelines,
+    outline: Option<Outline>,
 }
 
 impl Forward {
@@ -69,7 +73,7 @@ impl Forward {
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self> {
         let pipelines = Pipelines::new(&gpu.device);
         let resources = Resources::new(gpu, scene, &pipelines)?;
-        Ok(Self { device: gpu.device.clone(), queue: gpu.queue.clone(), resources, pipelines })
+        Ok(Self { device: gpu.device.clone(), queue: gpu.queue.clone(), resources, pipelines, outline: None })
     }
 
     /// Uploads what stands where at this frame; what follows draws it.
@@ -98,7 +102,7 @@ impl Forward {
     /// Records one draw. `output` is where [`Target::Output`] goes.
     ///
     /// # Errors
-    /// [`Error::Request`] if several jitters are asked for without a sum.
+    /// [`Error::Request`] if several jitters are asked for without a sum, or an outline with one or with samples.
     pub fn draw(
         &mut self,
         recorder: &mut Recorder<'_>,
@@ -109,11 +113,19 @@ impl Forward {
         if request.jitters.is_empty() || (request.jitters.len() > 1 && !matches!(request.target, Target::Sum(_))) {
             return Err(Error::Request(format!("a draw of {} jitters can only go into a sum", request.jitters.len())));
         }
+        if request.outline.is_some() && (request.samples > 1 || matches!(request.target, Target::Sum(_))) {
+            return Err(Error::Request("an outline is drawn against the depth of one plain draw, not of samples or sums".into()));
+        }
         self.resources.set_draw(&self.device, &self.queue, &request.jitters, targets.size);
         if let Some(mask) = &request.mask {
             self.resources.set_mask(&self.device, &self.pipelines, mask);
         }
         draw::record(self, recorder, request, targets, output);
+        if let Some(view) = &request.outline {
+            let outline = self.outline.get_or_insert_with(|| Outline::new(&self.device));
+            self.resources.prepare_outline(&self.device, outline);
+            outline.record(&self.device, recorder, &self.resources, &targets.depth, view);
+        }
         Ok(())
     }
 }

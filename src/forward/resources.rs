@@ -7,6 +7,7 @@ use glam::DVec3;
 use wgpu::util::DeviceExt as _;
 
 use super::mips::levels;
+use super::outline::{Outline, OutlineBuffers};
 use super::pipelines::{Kind, Pipelines};
 use super::uniforms::{FrameUniforms, JitterData, MaterialUniforms, Object, SceneLight};
 use crate::error::{Error, Result};
@@ -35,12 +36,14 @@ pub(super) struct Resources {
 #[derive(Debug, Clone)]
 pub(super) struct MeshBuffers {
     /// Keeps the address, which is its key, from being used again.
-    _mesh: Arc<Mesh>,
+    mesh: Arc<Mesh>,
     centre: DVec3,
     pub(super) positions: wgpu::Buffer,
     pub(super) attributes: wgpu::Buffer,
     pub(super) indices: wgpu::Buffer,
     pub(super) index_count: u32,
+    /// Once an outline was asked for.
+    pub(super) outline: Option<OutlineBuffers>,
 }
 
 /// Consecutive instances of one mesh and one kind of surface: one instanced draw.
@@ -156,6 +159,22 @@ impl Resources {
         self.mask_group = Some((mask.clone(), group));
     }
 
+    /// Uploads the edges of meshes that have none yet.
+    pub(super) fn prepare_outline(&mut self, device: &wgpu::Device, outline: &Outline) {
+        for mesh in self.batches.iter().map(|batch| batch.mesh) {
+            if let Some(buffers) = self.meshes.get_mut(&mesh).filter(|buffers| buffers.outline.is_none()) {
+                buffers.outline = Some(outline.upload(device, &buffers.mesh, &buffers.positions));
+            }
+        }
+    }
+
+    /// The frame and the objects, for a pipeline that reads no jitters.
+    pub(super) fn bind_outline(&self, device: &wgpu::Device, layout: &wgpu::BindGroupLayout) -> wgpu::BindGroup {
+        let entries = [(0, &self.uniform_buffer), (1, &self.objects)]
+            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() });
+        device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("outline frame"), layout, entries: &entries })
+    }
+
     /// Writes a storage buffer, making it larger (and binding it anew) where it must be.
     fn fill_storage(
         &mut self,
@@ -198,12 +217,13 @@ fn upload_mesh(device: &wgpu::Device, mesh: &Arc<Mesh>) -> MeshBuffers {
         device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
     };
     MeshBuffers {
-        _mesh: Arc::clone(mesh),
+        mesh: Arc::clone(mesh),
         centre,
-        positions: buffer("positions", bytemuck::cast_slice(&positions), wgpu::BufferUsages::VERTEX),
+        positions: buffer("positions", bytemuck::cast_slice(&positions), wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE),
         attributes: buffer("attributes", bytemuck::cast_slice(&attributes), wgpu::BufferUsages::VERTEX),
         indices: buffer("indices", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
         index_count: mesh.indices.len() as u32,
+        outline: None,
     }
 }
 

@@ -1,5 +1,6 @@
 //! The anti-aliasing methods, one file or folder each. A new one is its file, its shaders and a line in [`METHODS`].
 
+mod adaptive;
 mod cmaa2;
 mod fxaa;
 mod mlaa;
@@ -16,5 +17,14 @@ pub use spec::{Spec, Stage};
 use crate::pass::Method;
 
 /// Every method there is, in the order they are listed.
-pub const METHODS: &[Method] =
-    &[none::METHOD, ssaa::METHOD, msaa::METHOD, fxaa::METHOD, mlaa::METHOD, smaa::METHOD, cmaa2::METHOD, taa::METHOD];
+pub const METHODS: &[Method] = &[
+    none::METHOD,
+    ssaa::METHOD,
+    adaptive::METHOD,
+    msaa::METHOD,
+    fxaa::METHOD,
+    mlaa::METHOD,
+    smaa::METHOD,
+    cmaa2::METHOD,
+    taa::METHOD,
+];

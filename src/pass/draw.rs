@@ -10,6 +10,9 @@ pub struct Draw {
     /// Draw only where this r8uint texture is not 0; elsewhere the target keeps the clear colour, or with [`Target::Sum`] what it
     /// holds.
     pub mask: Option<wgpu::TextureView>,
+    /// Mark in this r8uint texture, with 1, every pixel that an edge of the geometry may touch: silhouettes, borders and creases that
+    /// are not behind what was drawn. Only with one sample and without a sum. A host that cannot leaves the texture as it is, all 0.
+    pub outline: Option<wgpu::TextureView>,
     /// Whether alpha-tested surfaces write their opacity as coverage. Needs several samples.
     pub alpha_to_coverage: bool,
     /// When in the frame's interval the scene is seen: 0 at the frame's own moment, -0.5 and 0.5 half an interval around it.
@@ -20,7 +23,15 @@ pub struct Draw {
 
 impl Default for Draw {
     fn default() -> Self {
-        Self { jitters: vec![Jitter::CENTRE], samples: 1, mask: None, alpha_to_coverage: false, time: 0.0, target: Target::Input }
+        Self {
+            jitters: vec![Jitter::CENTRE],
+            samples: 1,
+            mask: None,
+            outline: None,
+            alpha_to_coverage: false,
+            time: 0.0,
+            target: Target::Input,
+        }
     }
 }
 

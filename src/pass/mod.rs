@@ -192,10 +192,24 @@ pub trait Pass: Debug {
         None
     }
 
+    /// How many samples were shaded, where pixels differ in that. None where every pixel takes [`Needs::samples_per_pixel`].
+    fn shaded(&self) -> Option<Shaded> {
+        None
+    }
+
     /// Bytes of its private targets.
     fn target_bytes(&self) -> u64 {
         0
     }
+}
+
+/// Samples that were shaded, pixel by pixel.
+#[derive(Debug, Clone)]
+pub struct Shaded {
+    /// An rgba32float texture whose alpha counts them.
+    pub counts: wgpu::TextureView,
+    /// How many every pixel took beside.
+    pub beside: u32,
 }
 
 /// What a pass reads.
