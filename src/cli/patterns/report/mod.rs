@@ -34,7 +34,7 @@ Examples:
   dejag patterns report --patterns random,jittered,ccpd,larcher-pillichshammer -o few
   dejag patterns report --spp 1,4,256 --size 320x180
 
-The folder has a page, index.html, that opens from disk, and takes about 30 MB. A floor and a zone plate are sampled on the CPU, \
+The folder has a page, index.html, that opens from disk, and takes about 25 MB. A floor and a zone plate are sampled on the CPU, \
 where patterns that use the seed have another set in each pixel (of 1024, as `integrate --pool 1024`): their errors are noise. Beside \
 that the same set is in all pixels, as always where a scene is drawn: on the scene `checker` with `ssaa`, and on the zone plate. Errors \
 are patterns then. First come `checker` and `fence` at 1 sample a pixel, in its middle, and at 256 jittered ones. Takes half a minute on \
