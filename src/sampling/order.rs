@@ -4,20 +4,30 @@
 //! what a weighted mean of samples misses of such edges falls as the sum of w_i w_j |p_i - p_j| over pairs rises. In a running mean
 //! that sum depends on the order: samples near in time count together, so they should lie far apart.
 
-/// What a frame adds to the running mean that the order is made for. One between 0.05 and 0.2 gives much the same order.
+use super::sequences::radical_inverse;
+
+/// What a frame adds to the running mean that the order is made for. Means of 0.05 err as little in an order made for 0.1.
 const SHARE: f64 = 0.1;
 
 /// Frames after which a sample does not count any more: 0.9^64 is 0.1 %.
 const MEMORY: usize = 64;
 
-/// Few are needed; this bounds the time that a cycle of a thousand takes.
-const MOST_ROUNDS: usize = 16;
+/// More than cycles of up to [`LONG`] frames were seen to need.
+const MOST_ROUNDS: usize = 64;
+
+/// Longer cycles begin in an order that is good already, and take few rounds: one costs n^2.
+const LONG: usize = 128;
+const ROUNDS_OF_LONG: usize = 4;
 
 /// The points in an order that no exchange of two betters, or nearly so for long cycles: a repeating cycle whose running mean errs
-/// little at every frame. Costs O(n^2) for each of a few rounds.
+/// little at every frame. A cycle of a thousand takes two seconds.
 pub(super) fn spread_in_time(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut cycle = Cycle::new(points);
-    for _ in 0..MOST_ROUNDS {
+    let long = points.len() > LONG;
+    if long {
+        cycle.leap();
+    }
+    for _ in 0..if long { ROUNDS_OF_LONG } else { MOST_ROUNDS } {
         if !cycle.exchange_all() {
             break;
         }
@@ -42,6 +52,11 @@ impl Cycle {
         // Up to a factor: a sample and one so many frames on, of this cycle or of the one before.
         let weights = (0..points.len()).map(|lag| kept(lag) + kept(points.len() - lag)).collect();
         Self { distances, weights, order: (0..points.len()).collect() }
+    }
+
+    /// Points in the order of their numbers' radical inverses: neighbours in a pattern's own order often lie close together.
+    fn leap(&mut self) {
+        self.order.sort_by(|a, b| radical_inverse(2, *a as u32).total_cmp(&radical_inverse(2, *b as u32)));
     }
 
     /// Exchanges each two frames' points where that is better; whether any were.
@@ -69,7 +84,8 @@ impl Cycle {
         let n = self.order.len();
         let [here, there] = [frame, other].map(|frame| &self.distances[self.order[frame] * n..][..n]);
         let difference = |lag: usize| {
-            let near = (frame + lag) % n;
+            let near = frame + lag;
+            let near = if near < n { near } else { near - n };
             let point = self.order[near];
             if near == other { 0.0 } else { self.weights[lag] * (there[point] - here[point]) }
         };
@@ -87,7 +103,7 @@ mod tests {
     #[test]
     fn the_points_stay_and_no_exchange_is_better() {
         for pattern in PATTERNS {
-            for length in [1, 2, 3, 16, 33] {
+            for length in [1, 2, 3, 16, 33, LONG as u32] {
                 let points = pattern.points(length, 5);
                 let ordered = spread_in_time(&points);
                 let sorted = |points: &[[f64; 2]]| {
