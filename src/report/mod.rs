@@ -25,7 +25,7 @@ mod words;
 pub use frames_folder::FramesFolder;
 pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
 pub use lines::{LinePlot, Scale, Series};
-pub use patterns::{Panel, Panels, deviation_map, integral_csv, power_map, spectrum_svg};
+pub use patterns::{DETAIL_PX, Panel, Panels, SeriesPicture, SeriesReport, deviation_map, integral_csv, power_map, spectrum_svg};
 pub use sequence::{SequenceReport, Shown, strip_places};
 pub use terminal::{TABLE_WIDTH, integral_table, pattern_table, sequence_table, spectrum_table, table};
 

@@ -8,6 +8,7 @@ mod filters;
 pub mod integrals;
 mod jitter;
 pub mod measure;
+mod order;
 mod patterns;
 mod sequences;
 mod stream;

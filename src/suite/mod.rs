@@ -5,6 +5,7 @@ mod patterns;
 mod probes;
 mod results;
 mod sequence;
+mod series;
 
 pub use edges::{EdgeCurve, EdgeErrors};
 pub use patterns::{IntegralError, IntegralRow, NearestFigures, PatternRow, PatternTiming, SpectrumRow};
@@ -17,3 +18,4 @@ pub use sequence::{
     Ghost, SEQUENCE_SCHEMA_VERSION, SequenceFigure, SequenceFigures, SequenceFrame, SequenceMethod, SequenceNonFinite,
     SequenceOutcome, SequenceReference, SequenceReferenceTiming, SequenceResult, SequenceResults, SequenceTiming, WorstFrame,
 };
+pub use series::{Chapter, SERIES_SCHEMA_VERSION, SampledPicture, Series, SeriesResults, Subject};

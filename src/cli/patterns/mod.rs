@@ -4,8 +4,11 @@ mod choice;
 mod density;
 mod discrepancy;
 mod draw;
+mod drawn_means;
 mod integrate;
 mod output;
+mod pixel_means;
+mod report;
 mod spectrum;
 mod table;
 
@@ -28,6 +31,7 @@ Examples:
   dejag patterns discrepancy hammersley -n 256 -o map.png
   dejag patterns spectrum jittered poisson-disk -o spectrum.svg
   dejag patterns integrate --test checker --csv errors.csv
+  dejag patterns report -o patterns-report
 
 `dejag list patterns` has all patterns with their parameters; a pattern is written NAME or NAME:PARAMETER=VALUE,...")]
 pub(super) struct Patterns {
@@ -42,6 +46,7 @@ enum What {
     Discrepancy(discrepancy::Discrepancy),
     Spectrum(spectrum::Spectrum),
     Integrate(integrate::Integrate),
+    Report(report::Report),
 }
 
 impl Patterns {
@@ -52,6 +57,7 @@ impl Patterns {
             What::Discrepancy(discrepancy) => discrepancy.run(),
             What::Spectrum(spectrum) => spectrum.run(),
             What::Integrate(integrate) => integrate.run(),
+            What::Report(report) => report.run(),
         }
     }
 }

@@ -3,6 +3,7 @@
 mod csv;
 mod panels;
 mod raster;
+mod series;
 mod spectrum;
 #[cfg(test)]
 mod tests;
@@ -10,4 +11,5 @@ mod tests;
 pub use csv::integral_csv;
 pub use panels::{Panel, Panels};
 pub use raster::{deviation_map, power_map};
+pub use series::{DETAIL_PX, SeriesPicture, SeriesReport};
 pub use spectrum::spectrum_svg;

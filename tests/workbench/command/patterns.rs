@@ -86,6 +86,9 @@ fn what_makes_no_sense_is_2() {
         ("patterns integrate --test checker --yaw NaN", &["-180 to 180"]),
         ("patterns integrate --test zone --plot plot.png", &["plot.png", ".svg"]),
         ("patterns integrate edges --patterns halton:base_x=5", &["under their defaults"]),
+        ("patterns report --patterns halton:base_x=5", &["under their defaults"]),
+        ("patterns report --spp 0", &["--spp"]),
+        ("patterns report --size 0x4", &["'0x4'"]),
     ] {
         desk.refuses(arguments, 2, words);
     }
@@ -180,6 +183,53 @@ fn a_scene_is_integrated_by_drawing_it() {
     assert!(one > 4.0 * sixteen && sixteen > 0.0, "{ran}");
     assert!(errors("random")[1] > sixteen, "{ran}");
     assert_eq!(row(&ran, "random")["sets"], "fixed");
+}
+
+#[test]
+fn a_report_has_the_figures_that_were_measured_and_the_same_bytes_again() {
+    let desk = Desk::new();
+    let command = "patterns report --patterns regular,random,jittered --size 96x64 -o out";
+    assert!(desk.run(command).succeeded().stdout.is_empty());
+    let results: Value = serde_json::from_slice(&desk.read("out/results.json")).expect("JSON");
+    let page = String::from_utf8(desk.read("out/index.html")).expect("UTF-8");
+    let chapters = results["chapters"].as_array().expect("a list");
+    let titles: Vec<_> = chapters.iter().map(|chapter| &chapter["title"]).collect();
+    assert_eq!(titles, ["Moire", "Floor", "Zone plate"]);
+    for series in chapters.iter().flat_map(|chapter| chapter["series"].as_array().expect("a list")) {
+        let pictures = series["pictures"].as_array().expect("a list");
+        let errors: Vec<f64> = pictures.iter().map(|picture| number(picture, "rms")).collect();
+        assert!(errors.len() >= 2 && errors.windows(2).all(|pair| pair[0] > pair[1]), "{series}");
+        for error in errors {
+            assert!(page.contains(&format!("RMS {:.1},", 1e3 * error)), "{error} is not on the page");
+        }
+    }
+
+    // The floor on the CPU is what `integrate` measures, that of the scene too.
+    let of_floor = |pattern: &str, subject: u64| {
+        let series = chapters[1]["series"].as_array().expect("a list").iter();
+        let found = series.filter(|s| s["title"] == pattern && s["subject"] == subject).collect::<Vec<_>>();
+        found[0]["pictures"].as_array().expect("a list").iter().map(|p| number(p, "rms")).collect::<Vec<f64>>()
+    };
+    for (subject, what) in [(0, "--test checker --pool 1024"), (1, "checker --size 96x64")] {
+        let ran = desk.run(&format!("patterns integrate {what} --patterns random --spp 1,16,64 --json -"));
+        let measured =
+            row(&ran, "random")["errors"].as_array().expect("a list").iter().map(|e| number(e, "rms")).collect::<Vec<_>>();
+        assert_eq!(measured, of_floor("random", subject), "{what}");
+    }
+
+    let files = || desk.names().into_iter().filter(|name| desk.path(name).is_file());
+    let bytes = || files().map(|name| (desk.read(&name), name)).collect::<Vec<_>>();
+    let first = bytes();
+    desk.run(command).succeeded();
+    assert!(first == bytes(), "other bytes");
+}
+
+#[test]
+fn a_report_does_not_replace_what_is_no_report() {
+    let desk = Desk::new();
+    desk.make_folder("thesis");
+    desk.write("thesis/thesis.tex", b"years of work");
+    desk.refuses("patterns report -o thesis", 2, &["thesis", "name a new or empty folder"]);
 }
 
 fn white_png() -> Vec<u8> {

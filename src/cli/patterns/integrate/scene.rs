@@ -2,11 +2,11 @@
 
 use super::super::super::capture::load;
 use super::super::super::watch::{Bar, check_interrupt};
+use super::super::drawn_means::{method, rms};
 use super::Integrate;
 use crate::capture::{Cache, Studio};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::methods::Spec;
-use crate::picture::LinearPicture;
 use crate::sampling::PatternSpec;
 use crate::scene::Tick;
 use crate::suite::{IntegralError, IntegralRow};
@@ -15,7 +15,8 @@ impl Integrate {
     /// Each pattern at each number of samples through `ssaa` under a box filter.
     pub(super) fn on_scene(&self, name: &str, specs: &[PatternSpec], counts: &[u32]) -> Result<Vec<IntegralRow>> {
         let reference = Spec::parse(&self.reference)?;
-        let methods: Vec<Vec<Spec>> = specs.iter().map(|spec| methods(spec, self.seed, counts)).collect::<Result<_>>()?;
+        let of_spec = |spec: &PatternSpec| counts.iter().map(|&spp| method(spec, self.seed, spp)).collect::<Result<Vec<Spec>>>();
+        let methods: Vec<Vec<Spec>> = specs.iter().map(of_spec).collect::<Result<_>>()?;
         let scene = load(name, self.drawing.quiet)?;
         let gpu = self.drawing.open()?;
         gpu.check_size(self.size)?;
@@ -48,19 +49,4 @@ impl Integrate {
         }
         Ok(rows)
     }
-}
-
-fn methods(spec: &PatternSpec, seed: u32, counts: &[u32]) -> Result<Vec<Spec>> {
-    let name = spec.pattern().name;
-    if spec.to_string() != name {
-        return Err(Error::Request(format!("{spec}: scenes are drawn with patterns under their defaults; give just {name}")));
-    }
-    counts.iter().map(|spp| Spec::parse(&format!("ssaa:spp={spp},pattern={name},seed={seed}"))).collect()
-}
-
-/// Over red, green and blue, of exposed linear values clamped to [0, 1].
-fn rms(picture: &LinearPicture, exact: &LinearPicture, exposure: f32) -> f64 {
-    let shown = |x: f32| f64::from((x * exposure).clamp(0.0, 1.0));
-    let squares = picture.pixels().iter().zip(exact.pixels()).flat_map(|(p, q)| (0..3).map(|k| shown(p[k]) - shown(q[k])));
-    (squares.map(|d| d * d).sum::<f64>() / (3 * exact.pixels().len()) as f64).sqrt()
 }
