@@ -37,6 +37,7 @@ them; links to folders are not followed.
 
 Outcomes: same; different: a limit is missed; size; profile: the values mean different colours; missing or new: only one folder \
 has it; unreadable; uncounted: the mask leaves no pixel.
+
 Exit codes: 0 all same; 1 any other; 2 a request that makes no sense; 3 a picture could not be read or written, whatever else \
 differs; 4 nothing was compared.")]
 pub(super) struct Diff {
