@@ -185,15 +185,17 @@
 //! | feature | what it brings | what it pulls in |
 //! | --- | --- | --- |
 //! | `passes` | methods as passes on your own wgpu device ([`methods`], [`pass`], [`sampling`]) | wgpu, glam, bytemuck |
-//! | `score` | pictures, metrics, reports ([`picture`], [`metrics`], [`report`]) | image, flip-rs, maud, ...; no GPU stack |
-//! | `workbench` (default) | scenes, the forward renderer, captures, the bench, the command | all of it |
+//! | `score` | pictures, metrics, reports ([`picture`], [`metrics`], [`report`]), and of the command what needs no GPU | image, flip-rs, maud, clap, ...; no GPU stack |
+//! | `workbench` (default) | scenes, the forward renderer, captures, the bench, the whole command | all of it |
 
 #[cfg(feature = "workbench")]
 pub mod bench;
 #[cfg(feature = "workbench")]
 pub mod capture;
-#[cfg(feature = "workbench")]
+#[cfg(feature = "score")]
 pub mod cli;
+#[cfg(feature = "score")]
+pub mod compare;
 pub mod error;
 #[cfg(feature = "workbench")]
 pub mod forward;

@@ -1,16 +1,16 @@
 //! `dejag capture`: one frame of a scene, anti-aliased, as a picture.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
 
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, output, parse_size};
-use crate::capture::{Studio, ViewKind};
+use crate::capture::{Studio, View, ViewKind};
 use crate::error::Error;
 use crate::methods::Spec;
-use crate::picture::BitDepth;
+use crate::picture::{BitDepth, FileFormat};
 use crate::scene::Scene;
 
 /// Draw one frame of a scene with a method and write the picture
@@ -74,13 +74,21 @@ impl Capture {
             ("adapter", &card),
         ];
         let depth = if self.bits == "16" { BitDepth::Sixteen } else { BitDepth::Eight };
-        output::save(&view, &self.output, format, depth, &metadata)?;
+        save(&view, &self.output, format, depth, &metadata)?;
         bar.finish();
         if !self.drawing.quiet {
             let ([width, height], path, name) = (self.size, self.output.display(), &scene.name);
             output::say(&format!("{path}: {} of {name} with {spec}, frame {frame}, {width}x{height}", self.view));
         }
         Ok(ExitCode::SUCCESS)
+    }
+}
+
+/// Writes a view: its numbers into an EXR file, its colours into a PNG.
+fn save(view: &View, path: &Path, format: FileFormat, depth: BitDepth, metadata: &[(&str, &str)]) -> Result<(), Error> {
+    match format {
+        FileFormat::Png => view.display.save_png(path, depth, metadata),
+        FileFormat::Exr => view.data.save_exr(path, metadata),
     }
 }
 

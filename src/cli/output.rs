@@ -5,9 +5,8 @@ use std::path::Path;
 
 use anyhow::Context as _;
 
-use crate::capture::View;
 use crate::error::{Error, Result};
-use crate::picture::{BitDepth, FileFormat};
+use crate::picture::FileFormat;
 
 /// Fails early if a file of this name cannot be written: before minutes of drawing, not after.
 pub(super) fn check_file(path: &Path) -> Result<FileFormat> {
@@ -31,14 +30,6 @@ pub(super) fn check_folder_of(path: &Path) -> Result<()> {
 /// The folder must exist and take a file.
 pub(super) fn check_writable(folder: &Path) -> Result<()> {
     tempfile::tempfile_in(folder).map(drop).map_err(Error::io("write into", folder))
-}
-
-/// Writes a view: its numbers into an EXR file, its colours into a PNG.
-pub(super) fn save(view: &View, path: &Path, format: FileFormat, depth: BitDepth, metadata: &[(&str, &str)]) -> Result<()> {
-    match format {
-        FileFormat::Png => view.display.save_png(path, depth, metadata),
-        FileFormat::Exr => view.data.save_exr(path, metadata),
-    }
 }
 
 /// One line of data, or many, on stdout.

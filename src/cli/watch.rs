@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::output;
-use crate::capture::Watch;
 use crate::error::{Error, Result};
 
 /// When Ctrl-C was first pressed.
@@ -58,11 +57,6 @@ impl Bar {
         self.bar.set_message(message);
     }
 
-    /// Prints a line that stays, above the bar.
-    pub(super) fn aside(&self, line: &str) {
-        self.bar.suspend(|| output::say(line));
-    }
-
     /// The current step is over; it was worth so much.
     pub(super) fn advance(&mut self, amount: u64) {
         self.base += amount;
@@ -74,10 +68,17 @@ impl Bar {
     }
 }
 
-impl Watch for Bar {
-    fn tick(&mut self, done: u32, _: u32) -> Result<()> {
-        self.bar.set_position(self.base + u64::from(done));
-        check_interrupt()
+/// For the verbs that draw.
+#[cfg(feature = "workbench")]
+impl Bar {
+    /// Prints a line that stays, above the bar.
+    pub(super) fn aside(&self, line: &str) {
+        self.bar.suspend(|| output::say(line));
+    }
+
+    /// So much of the current step is done.
+    pub(super) fn reach(&self, done: u64) {
+        self.bar.set_position(self.base + done);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Figure, Pair};
 
 /// Decibels of a mean squared error at peak 1; infinite for equal pictures.
-fn psnr_of(mean_squared_error: f64) -> Figure {
+pub(super) fn psnr_of(mean_squared_error: f64) -> Figure {
     Figure::from(-10.0 * mean_squared_error.log10())
 }
 

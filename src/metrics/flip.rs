@@ -49,12 +49,17 @@ pub fn error_map(pair: &Pair<'_>) -> Result<DisplayPicture> {
         let [width, height] = pair.size();
         Error::Unsupported(format!("{width}x{height} pixels are too many for a FLIP map; compare a crop"))
     })?;
-    let colours = map.iter().zip(pair.broken_pixels()).map(|(&error, broken)| {
-        let [r, g, b] = flip_rs::MAGMA[(error.clamp(0.0, 1.0) * 255.0).round() as usize];
-        if broken { NON_FINITE_COLOUR } else { [r, g, b, 1.0] }
-    });
+    let colours =
+        map.iter().zip(pair.broken_pixels()).map(|(&error, broken)| if broken { NON_FINITE_COLOUR } else { magma(error) });
     let [width, height] = pair.size();
     DisplayPicture::new(width, height, colours.collect())
+}
+
+/// The magma colour of an error in [0, 1], which is clamped.
+#[must_use]
+pub fn magma(error: f32) -> Pixel {
+    let [r, g, b] = flip_rs::MAGMA[(error.clamp(0.0, 1.0) * 255.0).round() as usize];
+    [r, g, b, 1.0]
 }
 
 /// The error of each pixel in reading order. Pixels that are not finite are taken as black on both sides, so that the others

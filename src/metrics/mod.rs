@@ -16,6 +16,7 @@ mod difference;
 mod flip;
 mod pair;
 mod ssim;
+mod sums;
 pub mod temporal;
 
 #[cfg(test)]
@@ -25,8 +26,9 @@ mod published;
 #[cfg(test)]
 mod tests;
 
-pub use flip::{NON_FINITE_COLOUR, PIXELS_PER_DEGREE, error_map};
+pub use flip::{NON_FINITE_COLOUR, PIXELS_PER_DEGREE, error_map, magma};
 pub use pair::Pair;
+pub use sums::{MARGIN, Mean, Strip, Sum};
 
 use crate::Result;
 use crate::error::unknown;

@@ -25,12 +25,14 @@ pub(super) fn ssim(pair: &Pair<'_>) -> Figure {
     if pair.size().into_iter().any(|side| (side as usize) < WINDOW) {
         return Figure::NotApplicable;
     }
-    let plane = |picture: &DisplayPicture, channel: usize| -> Vec<f64> {
-        picture.pixels().iter().map(|pixel| f64::from(pixel[channel])).collect()
-    };
     let width = sides.reference.width() as usize;
     let index = |channel| plane_mean(width, &plane(sides.candidate, channel), &plane(sides.reference, channel));
     Figure::from((0..3).map(index).sum::<f64>() / 3.0)
+}
+
+/// One channel of a picture.
+pub(super) fn plane(picture: &DisplayPicture, channel: usize) -> Vec<f64> {
+    picture.pixels().iter().map(|pixel| f64::from(pixel[channel])).collect()
 }
 
 /// One dimension of the separable window, its weights summing to 1.
@@ -48,8 +50,14 @@ pub(super) fn plane_mean(width: usize, candidate: &[f64], reference: &[f64]) -> 
 
 /// The mean over those windows whose middle, a column and a row, is wanted; none where no window fits or is wanted.
 pub(super) fn mean_where(width: usize, planes: [&[f64]; 2], wanted: impl Fn(usize, usize) -> bool + Sync) -> Option<f64> {
+    let (sum, count) = sum_where(width, planes, wanted);
+    (count > 0).then(|| sum / count as f64)
+}
+
+/// The sum over those windows whose middle is wanted, and how many they are.
+pub(super) fn sum_where(width: usize, planes: [&[f64]; 2], wanted: impl Fn(usize, usize) -> bool + Sync) -> (f64, usize) {
     if width < WINDOW || planes[0].len() / width < WINDOW {
-        return None;
+        return (0.0, 0);
     }
     let window = gaussian_window();
     let rows: Vec<Vec<Moments>> = planes[0]
@@ -64,8 +72,7 @@ pub(super) fn mean_where(width: usize, planes: [&[f64]; 2], wanted: impl Fn(usiz
         .enumerate()
         .map(|(y, rows)| index_sum(rows, &window, |x| wanted(x + middle, y + middle)))
         .collect();
-    let (sum, count) = sums.iter().fold((0.0, 0), |(sum, count), row| (sum + row.0, count + row.1));
-    (count > 0).then(|| sum / count as f64)
+    sums.iter().fold((0.0, 0), |(sum, count), row| (sum + row.0, count + row.1))
 }
 
 /// The moments of a row, weighted along it, for each place where the window fits.

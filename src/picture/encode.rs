@@ -34,6 +34,9 @@ impl PictureFile {
             )));
         }
         match (&self.picture, kind) {
+            (_, FileKind::Tiff) => {
+                Err(Error::Request(format!("{}: TIFF is read but not written; write a .png or .exr file", path.display())))
+            }
             (Loaded::Linear(picture), FileKind::Exr) => {
                 let alpha = self.carried.alpha || !is_opaque(picture.pixels());
                 let half = self.carried.samples == Samples::Half;

@@ -2,7 +2,7 @@
 
 use super::kind::{ANIMATED, Samples};
 use super::load::{self, Refusal, from_image};
-use super::{BitDepth, FileKind, Loaded};
+use super::{BitDepth, FileKind, Loaded, tiff_pages};
 use crate::Result;
 use exr::meta::MetaData;
 use exr::meta::attribute::{Chromaticities, SampleType};
@@ -77,6 +77,7 @@ impl PictureFile {
         let picture = match kind {
             FileKind::Exr => Loaded::Linear(self.picture.into_linear()),
             FileKind::Png | FileKind::Jpeg | FileKind::WebP => Loaded::Display(self.picture.into_display()),
+            FileKind::Tiff => self.picture,
         };
         Self { picture, ..self }
     }
@@ -122,7 +123,7 @@ impl Carried {
     }
 }
 
-fn samples(color: ColorType, half: bool) -> Samples {
+pub(super) fn samples(color: ColorType, half: bool) -> Samples {
     match color {
         ColorType::Rgb32F | ColorType::Rgba32F if half => Samples::Half,
         ColorType::Rgb32F | ColorType::Rgba32F => Samples::Float,
@@ -133,18 +134,19 @@ fn samples(color: ColorType, half: bool) -> Samples {
 
 /// What the common decoder does not tell.
 #[derive(Default)]
-struct Facts {
-    png: Option<Box<png::Info<'static>>>,
-    primaries: Option<Chromaticities>,
+pub(super) struct Facts {
+    pub(super) png: Option<Box<png::Info<'static>>>,
+    pub(super) primaries: Option<Chromaticities>,
     half: bool,
 }
 
 impl Facts {
     /// Leaves the file at its beginning.
-    fn of(file: &mut BufReader<File>, kind: FileKind) -> Result<Self, Refusal> {
+    pub(super) fn of(file: &mut BufReader<File>, kind: FileKind) -> Result<Self, Refusal> {
         match kind {
             FileKind::Png => Self::of_png(file),
             FileKind::Exr => Ok(Self::of_exr(&load::exr_header(file)?)),
+            FileKind::Tiff => tiff_pages::check_single(file).map(|()| Self::default()),
             FileKind::Jpeg | FileKind::WebP => Ok(Self::default()),
         }
     }

@@ -5,8 +5,8 @@ use crate::{Error, Result};
 use image::ImageFormat;
 use std::path::Path;
 
-/// A kind of picture file that is read, and written again by [`super::PictureFile`]. What is drawn anew is written as one of the
-/// fewer [`super::FileFormat`]s.
+/// A kind of picture file that is read, and, but for TIFF, written again by [`super::PictureFile`]. What is drawn anew is written
+/// as one of the fewer [`super::FileFormat`]s.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum FileKind {
     /// `.png`: display values, 8 or 16 bits a channel.
@@ -17,10 +17,12 @@ pub enum FileKind {
     WebP,
     /// `.exr`: linear values, floats.
     Exr,
+    /// `.tif`, `.tiff`: display values of 8 or 16 bits, or floats, which are taken as linear; read only.
+    Tiff,
 }
 
 impl FileKind {
-    /// The kind that a path's extension names, in any case.
+    /// The kind to write that a path's extension names, in any case.
     ///
     /// # Errors
     ///
@@ -40,6 +42,13 @@ impl FileKind {
         }
     }
 
+    /// Whether a name ends like a picture's that is read.
+    #[must_use]
+    pub fn is_readable_name(path: &Path) -> bool {
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+        matches!(extension.as_deref(), Some("png" | "jpg" | "jpeg" | "webp" | "exr" | "tif" | "tiff"))
+    }
+
     /// The kind that a file's first bytes announce, or what they are instead.
     pub(super) fn of_bytes(start: &[u8]) -> Result<Self, String> {
         match start {
@@ -51,6 +60,7 @@ impl FileKind {
                 _ => Ok(Self::WebP),
             },
             [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Self::Exr),
+            [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => Ok(Self::Tiff),
             _ if start.starts_with(b"version https://git-lfs") => {
                 Err("it is a Git LFS pointer, not the picture; run `git lfs pull`".into())
             }
@@ -64,6 +74,7 @@ impl FileKind {
             Self::Jpeg => "JPEG picture",
             Self::WebP => "WebP picture",
             Self::Exr => "OpenEXR picture",
+            Self::Tiff => "TIFF picture",
         }
     }
 
@@ -73,13 +84,14 @@ impl FileKind {
             Self::Jpeg => ImageFormat::Jpeg,
             Self::WebP => ImageFormat::WebP,
             Self::Exr => ImageFormat::OpenExr,
+            Self::Tiff => ImageFormat::Tiff,
         }
     }
 
     /// Longest side that the format can express, in pixels, where that is less than [`super::MAX_SIDE`].
     pub(super) fn max_side(self) -> u32 {
         match self {
-            Self::Png | Self::Exr => super::MAX_SIDE,
+            Self::Png | Self::Exr | Self::Tiff => super::MAX_SIDE,
             Self::Jpeg => 65_535,
             Self::WebP => 16_384,
         }
@@ -107,6 +119,7 @@ impl std::fmt::Display for FileKind {
             Self::Jpeg => "JPEG",
             Self::WebP => "WebP",
             Self::Exr => "OpenEXR",
+            Self::Tiff => "TIFF",
         })
     }
 }

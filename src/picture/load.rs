@@ -1,4 +1,5 @@
-//! Pictures from files: PNG, JPEG and WebP hold display values, OpenEXR holds linear ones. The bytes decide, not the name.
+//! Pictures from files: PNG, JPEG, WebP and TIFF hold display values, OpenEXR and float TIFF linear ones. The bytes decide, not the
+//! name.
 
 use super::{DisplayPicture, FileKind, LinearPicture};
 use crate::{Error, Result};
@@ -20,9 +21,9 @@ const MAX_BYTES: u64 = 2 * 16 * MAX_PIXELS;
 /// A picture in the encoding its file has.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Loaded {
-    /// sRGB-coded values, from PNG, JPEG or WebP.
+    /// sRGB-coded values, from PNG, JPEG, WebP or TIFF.
     Display(DisplayPicture),
-    /// Linear values, from OpenEXR.
+    /// Linear values, from OpenEXR or TIFF of floats.
     Linear(LinearPicture),
 }
 
@@ -55,7 +56,7 @@ impl Loaded {
     }
 }
 
-/// Reads a PNG (any depth and colour type), a JPEG, a still WebP or an OpenEXR picture with RGB(A) channels. Integer values are
+/// Reads a PNG (any depth and colour type), a JPEG, a still WebP, a TIFF or an OpenEXR picture with RGB(A) channels. Integer values are
 /// taken as sRGB-coded whatever gamma or profile the file carries, pixels as they lie whatever its orientation, and a missing
 /// alpha is 1. [`super::PictureFile`] reads what this leaves out.
 ///
@@ -84,7 +85,8 @@ pub(super) fn open<T>(path: &Path, read: impl FnOnce(BufReader<File>, FileKind) 
     let mut file = BufReader::new(File::open(path).map_err(Error::io("read", path))?);
     let mut start = Vec::new();
     file.by_ref().take(64).read_to_end(&mut start).map_err(Error::io("read", path))?;
-    let kind = FileKind::of_bytes(&start).map_err(|message| format_error(path, "PNG, JPEG, WebP or OpenEXR picture", message))?;
+    let kind =
+        FileKind::of_bytes(&start).map_err(|message| format_error(path, "PNG, JPEG, WebP, TIFF or OpenEXR picture", message))?;
     file.rewind().map_err(Error::io("read", path))?;
     read(file, kind).map_err(|refusal| match refusal {
         Refusal::Io(source) => Error::io("read", path)(source),

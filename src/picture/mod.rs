@@ -5,6 +5,7 @@
 
 mod apng;
 mod atomic;
+mod color_space;
 mod encode;
 mod file;
 #[cfg(test)]
@@ -12,17 +13,23 @@ mod file_tests;
 mod integers;
 mod kind;
 mod load;
+mod raster;
+mod rows;
 mod save;
 mod srgb;
 #[cfg(test)]
 mod tests;
+mod tiff_pages;
 
 pub use apng::{Apng, side_by_side};
 pub use atomic::{write_atomically, write_bytes_atomically};
+pub use color_space::ColorSpace;
 pub use file::{Carried, PictureFile};
 pub use integers::BitDepth;
 pub use kind::{FileKind, Samples};
 pub use load::{Loaded, MAX_PIXELS, MAX_SIDE, load, measure};
+pub use raster::{Channels, Raster};
+pub use rows::write_png_rows;
 pub use save::{FileFormat, Metadata};
 pub use srgb::{srgb_decode, srgb_encode};
 

@@ -3,12 +3,14 @@
 use super::words::{self, figure, printable, score, shorten, three_digits, wrap};
 use crate::suite::{MethodResult, Outcome, Results, SceneResult, Timing};
 
+mod diff;
 mod grid;
 mod ink;
 mod patterns;
 mod probes;
 mod sequence;
 
+pub use diff::{diff_summary, diff_text};
 use grid::Grid;
 use ink::Ink;
 pub use patterns::{integral_table, pattern_table, spectrum_table};

@@ -1,5 +1,6 @@
-//! What a run of the bench says, as data: no GPU, no layout. `bench` fills it, `report` shows it.
+//! What a run of the bench says, as data: no GPU, no layout. `bench` and `compare` fill it, `report` shows it.
 
+mod diff;
 mod edges;
 mod patterns;
 mod probes;
@@ -7,6 +8,10 @@ mod results;
 mod sequence;
 mod series;
 
+pub use diff::{
+    ChangedObject, ClassFigures, DIFF_SCHEMA_VERSION, DiffOutcome, DiffPair, DiffResults, Knob, OutcomeCounts, PixelFigures,
+    WorstPixel,
+};
 pub use edges::{EdgeCurve, EdgeErrors};
 pub use patterns::{IntegralError, IntegralRow, NearestFigures, PatternRow, PatternTiming, SpectrumRow};
 pub use probes::{ConvergenceFigures, CrawlFigures, EdgeAngle, PositionFigures, ProbeFigures, ResponseFigures, SharpnessFigure};

@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::desk::Desk;
 use crate::common;
 
-const VERBS: [&str; 8] = ["capture", "filter", "score", "list", "doctor", "cache", "completions", "man"];
+const VERBS: [&str; 9] = ["capture", "filter", "score", "diff", "list", "doctor", "cache", "completions", "man"];
 const LISTS: [&str; 6] = ["scenes", "methods", "filters", "patterns", "metrics", "measures"];
 
 /// The examples in a verb's help, without `dejag` and without what a shell does with the output.
@@ -70,7 +70,7 @@ fn help_is_found_the_usual_ways() {
     let desk = Desk::new();
     for arguments in ["--help", "-h", "help"] {
         let ran = desk.run(arguments);
-        assert!(VERBS[..7].iter().all(|verb| ran.succeeded().stdout.contains(verb)), "{ran}");
+        assert!(VERBS[..8].iter().all(|verb| ran.succeeded().stdout.contains(verb)), "{ran}");
         assert!(ran.stdout.contains("Exit codes: 0"), "{ran}");
     }
     let bare = desk.run("");
@@ -150,7 +150,7 @@ fn completions_and_manuals_know_every_verb() {
     let desk = Desk::new();
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
         let ran = desk.run(&format!("completions {shell}"));
-        assert!(VERBS[..7].iter().all(|verb| ran.succeeded().stdout.contains(verb)) && ran.stderr.is_empty(), "{shell}");
+        assert!(VERBS[..8].iter().all(|verb| ran.succeeded().stdout.contains(verb)) && ran.stderr.is_empty(), "{shell}");
     }
     assert!(desk.run("man").succeeded().stdout.contains(".TH dejag 1"));
     for verb in VERBS {

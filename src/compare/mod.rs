@@ -1,0 +1,24 @@
+//! Picture files compared: what differs, by how much, and whether that is within limits.
+//!
+//! Pixels are compared in the depth of their files; metrics are computed a strip at a time. So a pair needs little more memory than
+//! its two decoded pictures. Nothing depends on the number of threads.
+
+mod edges;
+mod figures;
+mod files;
+mod folders;
+mod histogram;
+mod limits;
+mod pictures;
+mod pixels;
+mod scope;
+mod sides;
+#[cfg(test)]
+mod tests;
+mod verdict;
+
+pub use files::Settings;
+pub use folders::{Filter, Listing, PathPair, list};
+pub use limits::{Allowance, Limits, Measure, MetricLimit};
+pub use pictures::Targets;
+pub use scope::{Rectangle, Scope};

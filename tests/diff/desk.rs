@@ -1,0 +1,126 @@
+//! Running the command in a folder of its own.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use dejag::picture::{BitDepth, DisplayPicture};
+use serde_json::Value;
+use tempfile::TempDir;
+
+pub(super) struct Desk(TempDir);
+
+/// A command that has ended.
+pub(super) struct Ran {
+    pub(super) code: Option<i32>,
+    pub(super) stdout: String,
+    pub(super) stderr: String,
+}
+
+impl Desk {
+    pub(super) fn new() -> Self {
+        Self(tempfile::tempdir().expect("a temporary folder"))
+    }
+
+    pub(super) fn path(&self, name: impl AsRef<Path>) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    pub(super) fn write(&self, name: impl AsRef<Path>, bytes: impl AsRef<[u8]>) {
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("made");
+        fs::write(path, bytes).expect("written");
+    }
+
+    /// Writes a PNG of 8 bits.
+    pub(super) fn put(&self, name: impl AsRef<Path>, picture: &DisplayPicture) {
+        let mut bytes = Vec::new();
+        picture.encode_png(&mut bytes, BitDepth::Eight, &[]).expect("encoded");
+        self.write(name, bytes);
+    }
+
+    /// Everything in the folder and below, in order.
+    pub(super) fn names(&self) -> Vec<String> {
+        let mut names = Vec::new();
+        let mut folders = vec![self.path("")];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(folder).expect("a folder") {
+                let path = entry.expect("an entry").path();
+                names.push(path.strip_prefix(self.0.path()).expect("inside").to_string_lossy().into_owned());
+                if path.is_dir() && !path.is_symlink() {
+                    folders.push(path);
+                }
+            }
+        }
+        names.sort();
+        names
+    }
+
+    /// `dejag diff` with these arguments.
+    pub(super) fn diff<A: AsRef<OsStr>>(&self, arguments: &[A]) -> Ran {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_dejag"));
+        command.arg("diff").args(arguments).current_dir(self.0.path()).stdin(Stdio::null()).env_remove("NO_COLOR");
+        let output = command.output().expect("it runs");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("it speaks UTF-8");
+        let ran = Ran { code: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) };
+        assert!(!ran.stderr.contains("panicked"), "{ran}");
+        ran
+    }
+
+    /// The same with the words of a line as arguments.
+    pub(super) fn line(&self, line: &str) -> Ran {
+        self.diff(&line.split_whitespace().collect::<Vec<_>>())
+    }
+
+    /// What `--json -` prints, and the exit code.
+    pub(super) fn json(&self, line: &str) -> (i32, Value) {
+        let ran = self.line(&format!("{line} --json -"));
+        (ran.code.expect("no signal"), ran.json())
+    }
+}
+
+impl Ran {
+    /// Ended with this code, having said all of these on stdout or stderr.
+    #[track_caller]
+    pub(super) fn ended(&self, code: i32, words: &[&str]) -> &Self {
+        assert_eq!(self.code, Some(code), "{self}");
+        // Text is broken into lines where a word ends.
+        let said = format!("{} {}", self.stdout, self.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
+        for word in words {
+            let word = word.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(said.contains(&word), "'{word}' is not said by {self}");
+        }
+        self
+    }
+
+    pub(super) fn json(&self) -> Value {
+        serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("not JSON ({error}): {self}"))
+    }
+}
+
+impl std::fmt::Display for Ran {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "code {:?}\nstdout: {}\nstderr: {}", self.code, self.stdout, self.stderr)
+    }
+}
+
+/// 32 x 24 pixels of 8 bits, no two neighbours alike.
+pub(super) fn levels() -> Vec<u8> {
+    (0..32 * 24).flat_map(|i: u32| [(i * 7 % 200 + 20) as u8, (i * 5 % 190 + 30) as u8, (i * 3 % 180 + 40) as u8, 255]).collect()
+}
+
+/// The picture of these levels.
+pub(super) fn picture(levels: &[u8]) -> DisplayPicture {
+    DisplayPicture::from_rgba8(32, 24, levels).expect("32x24")
+}
+
+/// That picture with some channels changed: column, row, channel, and by how much.
+pub(super) fn changed(changes: &[(usize, usize, usize, i32)]) -> DisplayPicture {
+    let mut levels = levels();
+    for (x, y, channel, by) in changes {
+        let level = &mut levels[4 * (y * 32 + x) + channel];
+        *level = u8::try_from(i32::from(*level) + by).expect("a level");
+    }
+    picture(&levels)
+}
