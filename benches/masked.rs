@@ -1,7 +1,7 @@
-//! What drawing under a mask saves: `cargo bench --bench masked [-- SCENE WIDTHxHEIGHT ROUNDS]`.
+//! What drawing under a mask saves: `cargo bench --bench masked [-- SCENES WIDTHxHEIGHT ROUNDS PLOT.svg]`.
 //!
 //! In one process, in turns, medians. 48 jitters are summed where a mask says so, against the same 48 everywhere; the mask takes a
-//! share of the picture in single pixels scattered at random, or in tiles of 32 pixels.
+//! share of the picture in single pixels scattered at random, or in tiles of 32 pixels. Scenes by name, with commas between.
 
 #![expect(clippy::print_stdout, reason = "its table is its output")]
 
@@ -33,18 +33,44 @@ fn main() -> dejag::Result<()> {
     let gpu = Gpu::open(&choice)?;
     println!("{}, {}x{}, {JITTERS} jitters in a sum, medians of {rounds}", gpu.card, size[0], size[1]);
     println!("{:<12} {:>8} {:>9}  of it by share masked: {SHARES:?}", "scene", "grain px", "full ms");
+    let mut lines = Vec::new();
     for name in names {
         let scene = Scene::load(name)?;
         for grain_px in GRAINS_PX {
             let (full, masked) = measure(&gpu, &scene, size, grain_px, rounds)?;
-            print!("{name:<12} {grain_px:>8} {full:>9.2} ");
-            for ms in masked {
-                print!(" {:>5.2}", ms / full);
-            }
-            println!();
+            let shares: Vec<f64> = masked.iter().map(|ms| ms / full).collect();
+            let cells: Vec<String> = shares.iter().map(|share| format!("{share:>5.2}")).collect();
+            println!("{name:<12} {grain_px:>8} {full:>9.2}  {}", cells.join(" "));
+            lines.push((format!("{name}, {grain_px} px"), shares));
         }
     }
+    if let Some(file) = words.get(3) {
+        plot(file, &lines).unwrap_or_else(|error| panic!("{file}: {error}"));
+    }
     Ok(())
+}
+
+/// Time under a mask, in that of all pixels, against the share that is masked.
+fn plot(file: &str, lines: &[(String, Vec<f64>)]) -> Result<(), Box<dyn std::error::Error>> {
+    use plotters::prelude::*;
+    let root = SVGBackend::new(file, (720, 420)).into_drawing_area();
+    root.fill(&WHITE)?;
+    let top = lines.iter().flat_map(|(_, times)| times).fold(1.2f64, |top, time| top.max(*time));
+    let mut chart = ChartBuilder::on(&root)
+        .margin(12)
+        .x_label_area_size(40)
+        .y_label_area_size(48)
+        .build_cartesian_2d(0.0..1.0f64, 0.0..top)?;
+    chart.configure_mesh().x_desc("share of pixels in the mask").y_desc("time, of all pixels = 1").draw()?;
+    for (index, (label, times)) in lines.iter().enumerate() {
+        let color = Palette99::pick(index).to_rgba();
+        chart
+            .draw_series(LineSeries::new(SHARES.into_iter().zip(times.iter().copied()), color.stroke_width(2)))?
+            .label(label)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], color));
+    }
+    chart.configure_series_labels().position(SeriesLabelPosition::LowerRight).border_style(BLACK).draw()?;
+    Ok(root.present()?)
 }
 
 /// 1 in a share of the picture's squares of so many pixels, by a hash of where they are.
@@ -74,24 +100,16 @@ fn mask(gpu: &Gpu, [width, height]: [u32; 2], grain_px: u32, share: f64) -> wgpu
 
 /// Milliseconds without a mask, and with one of each share.
 fn measure(gpu: &Gpu, scene: &Scene, size: [u32; 2], grain_px: u32, rounds: u32) -> dejag::Result<(f64, Vec<f64>)> {
-    let samples: u32 = std::env::var("S").map_or(1, |s| s.parse().unwrap());
-    let offsets = weighted_offsets(pattern("larcher")?, JITTERS as u32 / samples, 0, dejag::sampling::filter("box")?, 0.5);
+    let offsets = weighted_offsets(pattern("larcher")?, JITTERS as u32, 0, dejag::sampling::filter("box")?, 0.5);
     let jitters: Vec<Jitter> =
         offsets.iter().map(|o| Jitter { offset_px: o.offset_px.map(|x| x as f32), weight: o.weight as f32 }).collect();
     let mut forward = Forward::new(gpu, scene)?;
     forward.set_frame(&scene.frame(0, size)?, size)?;
-    let sum = gpu.target(TextureSpec { label: "sum", size, format: wgpu::TextureFormat::Rgba32Float, samples });
+    let sum = gpu.target(TextureSpec { label: "sum", size, format: wgpu::TextureFormat::Rgba32Float, samples: 1 });
     let view = sum.create_view(&wgpu::TextureViewDescriptor::default());
-    let full = Draw { jitters, samples, target: Target::Sum(Sum { view: view.clone(), clear: true }), ..Draw::default() };
+    let full = Draw { jitters, target: Target::Sum(Sum { view: view.clone(), clear: true }), ..Draw::default() };
     let mut draws = vec![full.clone()];
-    let plain = std::env::var("P").is_ok();
-    draws.extend(SHARES.map(|share| {
-        let mask = Some(mask(gpu, size, grain_px, share));
-        match plain {
-            true => Draw { mask, jitters: full.jitters[..1].to_vec(), ..Draw::default() },
-            false => Draw { mask, ..full.clone() },
-        }
-    }));
+    draws.extend(SHARES.map(|share| Draw { mask: Some(mask(gpu, size, grain_px, share)), ..full.clone() }));
     let targets: Vec<Targets> =
         draws.iter().map(|draw| Forward::targets(gpu, size, draw, Extras::default())).collect::<Result<_, _>>()?;
     let mut ms = vec![Vec::new(); draws.len()];
@@ -99,10 +117,7 @@ fn measure(gpu: &Gpu, scene: &Scene, size: [u32; 2], grain_px: u32, rounds: u32)
         for ((draw, targets), ms) in draws.iter().zip(&targets).zip(&mut ms) {
             let start = Instant::now();
             let mut encoder = gpu.encoder();
-            let n = if matches!(draw.target, Target::Input) { full.jitters.len() } else { 1 };
-            for _ in 0..n {
-                forward.draw(&mut Recorder::new(&mut encoder), draw, targets, &view)?;
-            }
+            forward.draw(&mut Recorder::new(&mut encoder), draw, targets, &view)?;
             gpu.submit(encoder)?;
             gpu.wait()?;
             // The first round compiles.

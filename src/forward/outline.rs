@@ -184,3 +184,61 @@ impl Outline {
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{DVec3, Vec2};
+
+    use super::*;
+
+    /// Triangles of these corners, each corner a vertex of its own unless `shared`.
+    fn mesh(triangles: &[[DVec3; 3]], shared: bool) -> Mesh {
+        let mut mesh = Mesh::default();
+        for position in triangles.iter().flatten() {
+            let vertex = Vertex { position: *position, ..Vertex::default() };
+            let known = mesh.vertices.iter().position(|v| shared && *v == vertex);
+            mesh.indices.push(known.unwrap_or(mesh.vertices.len()) as u32);
+            if known.is_none() {
+                mesh.vertices.push(vertex);
+            }
+        }
+        mesh
+    }
+
+    const ROOF: [[DVec3; 3]; 2] = [[DVec3::ZERO, DVec3::X, DVec3::Y], [DVec3::X, DVec3::ZERO, DVec3::new(0.0, -1.0, -1.0)]];
+
+    fn always(edges: &[Edge]) -> usize {
+        edges.iter().filter(|edge| edge[3] == ALWAYS).count()
+    }
+
+    #[test]
+    fn a_fold_is_an_edge_where_one_side_is_seen_and_its_borders_always() {
+        for shared in [true, false] {
+            let edges = edges(&mesh(&ROOF, shared));
+            assert_eq!((edges.len(), always(&edges)), (5, 4), "shared: {shared}");
+        }
+    }
+
+    #[test]
+    fn a_fold_with_a_seam_is_an_edge_always() {
+        let mut mesh = mesh(&ROOF, false);
+        mesh.vertices[3].uv = Vec2::ONE;
+        assert_eq!(always(&edges(&mesh)), 5);
+    }
+
+    #[test]
+    fn flat_faces_have_no_edges_inside() {
+        let square = [[DVec3::ZERO, DVec3::X, DVec3::Y], [DVec3::Y, DVec3::X, DVec3::new(1.0, 1.0, 0.0)]];
+        assert_eq!(edges(&mesh(&square, false)).len(), 4);
+    }
+
+    #[test]
+    fn what_has_no_area_does_no_harm() {
+        assert!(edges(&Mesh::default()).is_empty());
+        let point = [[DVec3::ONE; 3]];
+        assert!(edges(&mesh(&point, false)).is_empty());
+        // A needle of two equal corners, and three triangles on one edge.
+        let fan = [ROOF[0], ROOF[1], [DVec3::ZERO, DVec3::X, DVec3::Z], [DVec3::X, DVec3::X, DVec3::Y]];
+        assert!(always(&edges(&mesh(&fan, false))) >= 6);
+    }
+}

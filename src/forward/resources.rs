@@ -219,7 +219,11 @@ fn upload_mesh(device: &wgpu::Device, mesh: &Arc<Mesh>) -> MeshBuffers {
     MeshBuffers {
         mesh: Arc::clone(mesh),
         centre,
-        positions: buffer("positions", bytemuck::cast_slice(&positions), wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE),
+        positions: buffer(
+            "positions",
+            bytemuck::cast_slice(&positions),
+            wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE,
+        ),
         attributes: buffer("attributes", bytemuck::cast_slice(&attributes), wgpu::BufferUsages::VERTEX),
         indices: buffer("indices", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
         index_count: mesh.indices.len() as u32,

@@ -22,6 +22,7 @@ const GOLDENS: &[(&str, &str, f64)] = &[
     ("edges", "none", 0.0),
     ("edges", "msaa:samples=4", 0.0),
     ("edges", "ssaa:spp=16", 0.0),
+    ("edges", "adaptive", 0.0),
     ("edges", "fxaa", 0.0),
     ("edges", "mlaa", 0.0),
     ("edges", "smaa", 0.0),
@@ -37,6 +38,7 @@ const GOLDENS: &[(&str, &str, f64)] = &[
     ("text", "none", 0.0),
     ("courtyard", "none", 0.01),
     ("courtyard", "ssaa:spp=16", 0.01),
+    ("courtyard", "adaptive", 0.01),
 ];
 
 /// `llvmpipe-mesa-22.3.6` from the driver's own words.

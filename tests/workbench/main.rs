@@ -2,6 +2,7 @@
 
 #![expect(clippy::print_stdout, reason = "tests say what they measured")]
 
+mod adaptive;
 mod architecture;
 mod command;
 mod common;

@@ -196,8 +196,7 @@ impl Flat {
 
     fn close_round(&mut self, recorder: &mut Recorder<'_>) {
         let textures = [&self.before, &self.total, &self.doubts[0]];
-        let bindings: Vec<Binding> =
-            std::iter::once(Binding::Buffer(self.uniforms.clone())).chain(textures.map(of)).collect();
+        let bindings: Vec<Binding> = std::iter::once(Binding::Buffer(self.uniforms.clone())).chain(textures.map(of)).collect();
         self.settle.record(recorder, &bindings.iter().collect::<Vec<_>>(), &[&self.doubts[1]]);
         self.doubts.swap(0, 1);
         self.remember(recorder);

@@ -55,12 +55,7 @@ pub(super) const METHOD: Method = Method {
             kind: Kind::Integer { min: 0, max: 8 },
             default: "1",
         },
-        OptionSpec {
-            name: "pattern",
-            help: "where the samples lie",
-            kind: Kind::Choice(pattern_names),
-            default: "sobol-owen",
-        },
+        OptionSpec { name: "pattern", help: "where the samples lie", kind: Kind::Choice(pattern_names), default: "sobol-owen" },
         OptionSpec {
             name: "seed",
             help: "of the patterns that use chance",
