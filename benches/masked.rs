@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use dejag::forward::{Forward, Targets};
 use dejag::gpu::{AdapterChoice, Gpu, TextureSpec};
-use dejag::pass::{Draw, Extras, Jitter, Recorder, Sum, Target};
+use dejag::pass::{Draw, Extras, Jitter, Mask, Recorder, Sum, Target};
 use dejag::sampling::{pattern, weighted_offsets};
 use dejag::scene::Scene;
 use dejag::suite::Spread;
@@ -74,7 +74,7 @@ fn mask(gpu: &Gpu, [width, height]: [u32; 2], grain_px: u32, share: f64) -> wgpu
 
 /// Milliseconds without a mask, and with one of each share.
 fn measure(gpu: &Gpu, scene: &Scene, size: [u32; 2], grain_px: u32, rounds: u32) -> dejag::Result<(f64, Vec<f64>)> {
-    let samples: u32 = std::env::var("S").map_or(1, |s| s.parse().unwrap());
+    let samples: u32 = std::env::var("S").map_or(1, |s| s.parse().expect("a number of samples"));
     let offsets = weighted_offsets(pattern("larcher")?, JITTERS as u32 / samples, 0, dejag::sampling::filter("box")?, 0.5);
     let jitters: Vec<Jitter> =
         offsets.iter().map(|o| Jitter { offset_px: o.offset_px.map(|x| x as f32), weight: o.weight as f32 }).collect();
@@ -86,7 +86,7 @@ fn measure(gpu: &Gpu, scene: &Scene, size: [u32; 2], grain_px: u32, rounds: u32)
     let mut draws = vec![full.clone()];
     let plain = std::env::var("P").is_ok();
     draws.extend(SHARES.map(|share| {
-        let mask = Some(mask(gpu, size, grain_px, share));
+        let mask = Some(Mask::non_zero(mask(gpu, size, grain_px, share)));
         match plain {
             true => Draw { mask, jitters: full.jitters[..1].to_vec(), ..Draw::default() },
             false => Draw { mask, ..full.clone() },

@@ -15,7 +15,9 @@ use crate::methods::METHODS;
 /// Every module with the structs it shares.
 fn modules() -> Vec<(Source, &'static [Layout])> {
     let methods = METHODS.iter().flat_map(|m| m.shaders.iter().map(|s| (*s, m.layouts)));
-    methods.chain([(forward::SHADER, forward::LAYOUTS), (forward::OUTLINE_SHADER, &[]), (Present::SHADER, Present::LAYOUTS)]).collect()
+    methods
+        .chain([(forward::SHADER, forward::LAYOUTS), (forward::OUTLINE_SHADER, &[]), (Present::SHADER, Present::LAYOUTS)])
+        .collect()
 }
 
 fn parse(source: &Source) -> naga::Module {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::Adaptive;
 use super::targets::{Layers, bytes, of, target};
-use crate::pass::{Binding, Context, Draw, FrameFacts, Inputs, Jitter, Pass, Recorder, ScreenPass, Shaded, Sum, Target};
+use crate::pass::{Binding, Context, Draw, FrameFacts, Inputs, Jitter, Mask, Pass, Recorder, ScreenPass, Shaded, Sum, Target};
 use crate::shader::{Source, layout::gpu_struct, part};
 
 pub(super) const KEEP: Source =
@@ -222,7 +222,7 @@ impl Pass for Flat {
             Step::Base(samples) => Draw { jitters: self.samples[samples].to_vec(), target: total(true), ..Draw::default() },
             Step::Refine { samples, .. } => Draw {
                 jitters: self.samples[samples].to_vec(),
-                mask: Some(self.doubts[0].clone()),
+                mask: Some(Mask::non_zero(self.doubts[0].clone())),
                 target: total(false),
                 ..Draw::default()
             },
