@@ -15,3 +15,4 @@ mod rounds;
 mod sequence;
 mod smaa_modes;
 mod taa;
+mod whitted;
