@@ -4,7 +4,8 @@
 // column and row more than the picture: the points on its right and lower border are nobody else's.
 @group(0) @binding(1) var samples: texture_2d_array<f32>;
 
-// First bit of the quadrants in a map of refined squares (x + 2 y); the finest squares (x + 4 y) come before.
+// First bit of the quadrants in a map of refined squares (x + 2 y); the finest squares (x + 4 y) come before. Loops go over the bits
+// that are set: a rasteriser on a CPU spends a branch's time whether it is taken or not.
 const QUADRANTS: u32 = 16u;
 
 // Upper left, upper right, lower left, lower right.
@@ -23,10 +24,12 @@ fn fine_centre(pixel: vec2<u32>, square: vec2<u32>) -> vec3<f32> {
     return textureLoad(samples, pixel, 16u + square.x + 4u * square.y, 0).rgb;
 }
 
-fn quadrant_bit(quadrant: vec2<u32>) -> u32 {
-    return 1u << (QUADRANTS + quadrant.x + 2u * quadrant.y);
-}
-
 fn fine_bit(square: vec2<u32>) -> u32 {
     return 1u << (square.x + 4u * square.y);
+}
+
+// Those of a quadrant, a bit a child.
+fn fine_squares(squares: u32, quadrant: vec2<u32>) -> u32 {
+    let rows = squares >> (2u * quadrant.x + 8u * quadrant.y);
+    return (rows & 3u) | ((rows >> 2u) & 12u);
 }

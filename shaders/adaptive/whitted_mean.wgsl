@@ -20,27 +20,28 @@ fn fine_mean(pixel: vec2<u32>, square: vec2<u32>) -> vec3<f32> {
 
 fn quadrant_mean(pixel: vec2<u32>, squares: u32, quadrant: vec2<u32>) -> vec3<f32> {
     let centre = point(pixel, 2u * quadrant + 1u);
-    var sum = vec3<f32>(0.0);
+    var sum = 2.0 * centre;
     for (var i = 0u; i < 4u; i++) {
-        let square = 2u * quadrant + child(i);
-        if (squares & fine_bit(square)) != 0u {
-            sum += fine_mean(pixel, square);
-        } else {
-            sum += 0.5 * (centre + point(pixel, 2u * (quadrant + child(i))));
-        }
+        sum += 0.5 * point(pixel, 2u * (quadrant + child(i)));
+    }
+    for (var rest = fine_squares(squares, quadrant); rest != 0u; rest &= rest - 1u) {
+        let i = firstTrailingBit(rest);
+        let unrefined = 0.5 * (centre + point(pixel, 2u * (quadrant + child(i))));
+        sum += fine_mean(pixel, 2u * quadrant + child(i)) - unrefined;
     }
     return 0.25 * sum;
 }
 
 fn pixel_mean(pixel: vec2<u32>, squares: u32) -> vec3<f32> {
     let centre = point(pixel, vec2<u32>(2u));
-    var sum = vec3<f32>(0.0);
+    var sum = 2.0 * centre;
     for (var i = 0u; i < 4u; i++) {
-        if (squares & quadrant_bit(child(i))) != 0u {
-            sum += quadrant_mean(pixel, squares, child(i));
-        } else {
-            sum += 0.5 * (centre + point(pixel, 4u * child(i)));
-        }
+        sum += 0.5 * point(pixel, 4u * child(i));
+    }
+    for (var rest = squares >> QUADRANTS; rest != 0u; rest &= rest - 1u) {
+        let i = firstTrailingBit(rest);
+        let unrefined = 0.5 * (centre + point(pixel, 4u * child(i)));
+        sum += quadrant_mean(pixel, squares, child(i)) - unrefined;
     }
     return 0.25 * sum;
 }

@@ -26,13 +26,14 @@ fn fs_refine(@builtin(position) position: vec4<f32>) -> @location(0) u32 {
     }
     let pixel = vec2<u32>(position.xy);
     let centre = point(pixel, vec2<u32>(2u));
-    var refined = 0u;
+    var quadrants = 0u;
     for (var i = 0u; i < 4u; i++) {
-        if differ(centre, point(pixel, 4u * child(i))) {
-            refined |= quadrant_bit(child(i));
-            if DEPTH == 2u {
-                refined |= refined_in(pixel, child(i));
-            }
+        quadrants |= select(0u, 1u << i, differ(centre, point(pixel, 4u * child(i))));
+    }
+    var refined = quadrants << QUADRANTS;
+    if DEPTH == 2u {
+        for (var rest = quadrants; rest != 0u; rest &= rest - 1u) {
+            refined |= refined_in(pixel, child(firstTrailingBit(rest)));
         }
     }
     return refined;
