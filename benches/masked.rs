@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use dejag::forward::{Forward, Targets};
 use dejag::gpu::{AdapterChoice, Gpu, TextureSpec};
-use dejag::pass::{Draw, Extras, Jitter, Recorder, Sum, Target};
+use dejag::pass::{Draw, Extras, Jitter, Mask, Recorder, Sum, Target};
 use dejag::sampling::{pattern, weighted_offsets};
 use dejag::scene::Scene;
 use dejag::suite::Spread;
@@ -109,7 +109,7 @@ fn measure(gpu: &Gpu, scene: &Scene, size: [u32; 2], grain_px: u32, rounds: u32)
     let view = sum.create_view(&wgpu::TextureViewDescriptor::default());
     let full = Draw { jitters, target: Target::Sum(Sum { view: view.clone(), clear: true }), ..Draw::default() };
     let mut draws = vec![full.clone()];
-    draws.extend(SHARES.map(|share| Draw { mask: Some(mask(gpu, size, grain_px, share)), ..full.clone() }));
+    draws.extend(SHARES.map(|share| Draw { mask: Some(Mask::non_zero(mask(gpu, size, grain_px, share))), ..full.clone() }));
     let targets: Vec<Targets> =
         draws.iter().map(|draw| Forward::targets(gpu, size, draw, Extras::default())).collect::<Result<_, _>>()?;
     let mut ms = vec![Vec::new(); draws.len()];

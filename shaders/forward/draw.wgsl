@@ -202,12 +202,12 @@ fn fs_background_extras(@builtin(position) position: vec4<f32>) -> Extras {
     return Extras(motion_px(clip, frame.previous_clip_from_clip * clip), 0u);
 }
 
-// Writes the stencil where the mask is zero.
+// Writes the stencil where the mask has none of the draw's bits.
 @group(1) @binding(9) var mask: texture_2d<u32>;
 
 @fragment
 fn fs_stencil(@builtin(position) position: vec4<f32>) {
-    if textureLoad(mask, vec2<i32>(position.xy), 0).x != 0u {
+    if (textureLoad(mask, vec2<i32>(position.xy), 0).x & frame.mask_bits) != 0u {
         discard;
     }
 }

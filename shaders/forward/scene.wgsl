@@ -13,7 +13,8 @@ struct FrameUniforms {
     size_px: vec2<f32>,
     // Of all jitters of this draw.
     sum_of_weights: f32,
-    padding: f32,
+    // Of the mask, where this draw has one.
+    mask_bits: u32,
 }
 
 // "Camera-relative" is world space moved so that the camera is the origin: small numbers near the camera, wherever that is.

@@ -116,9 +116,9 @@ impl Forward {
         if request.outline.is_some() && (request.samples > 1 || matches!(request.target, Target::Sum(_))) {
             return Err(Error::Request("an outline is drawn against the depth of one plain draw, not of samples or sums".into()));
         }
-        self.resources.set_draw(&self.device, &self.queue, &request.jitters, targets.size);
+        self.resources.set_draw(&self.device, &self.queue, request, targets.size);
         if let Some(mask) = &request.mask {
-            self.resources.set_mask(&self.device, &self.pipelines, mask);
+            self.resources.set_mask(&self.device, &self.pipelines, &mask.view);
         }
         draw::record(self, recorder, request, targets, output);
         if let Some(view) = &request.outline {

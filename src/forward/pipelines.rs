@@ -59,7 +59,7 @@ pub(super) enum Step {
 pub(super) enum Fill {
     /// The background, weighted by the sum of all weights.
     Background,
-    /// Forbids drawing where the mask texture is zero.
+    /// Forbids drawing where the mask has none of the draw's bits.
     Stencil { color: Option<wgpu::TextureFormat> },
     /// Motion of what lies at infinity, and id 0.
     Extras { motion: bool, ids: bool, depth: wgpu::TextureFormat },

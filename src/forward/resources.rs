@@ -12,7 +12,7 @@ use super::pipelines::{Kind, Pipelines};
 use super::uniforms::{FrameUniforms, JitterData, MaterialUniforms, Object, SceneLight};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
-use crate::pass::Jitter;
+use crate::pass::Draw;
 use crate::scene::{Frame, Material, Mesh, Scene, Texture, TextureRef, Wrap};
 
 /// Everything that draws read.
@@ -138,12 +138,14 @@ impl Resources {
         batches
     }
 
-    /// Jitters and weights of the draw that follows.
-    pub(super) fn set_draw(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, jitters: &[Jitter], size: [u32; 2]) {
+    /// Jitters, weights and the mask's bits of the draw that follows.
+    pub(super) fn set_draw(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, request: &Draw, size: [u32; 2]) {
+        let jitters = &request.jitters;
         let data: Vec<JitterData> = jitters.iter().map(|j| JitterData::of(j, size)).collect();
         self.fill_storage(device, queue, bytemuck::cast_slice(&data), |resources| &mut resources.jitters);
         // Summed in f64: the background's share should not drift from the surfaces' over thousands of weights.
         self.uniforms.sum_of_weights = jitters.iter().map(|j| f64::from(j.weight)).sum::<f64>() as f32;
+        self.uniforms.mask_bits = request.mask.as_ref().map_or(0, |mask| mask.bits);
         queue.write_buffer(&self.uniform_buffer, 0, bytemuck::bytes_of(&self.uniforms));
     }
 

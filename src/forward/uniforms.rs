@@ -21,7 +21,7 @@ gpu_struct! {
         previous_clip_from_clip: Matrix,
         size_px: [f32; 2],
         sum_of_weights: f32,
-        padding: f32,
+        mask_bits: u32,
     }
 }
 
@@ -88,7 +88,7 @@ impl FrameUniforms {
             previous_clip_from_clip: matrix(view.previous_clip_from_clip(previous_view, aspect)),
             size_px: size.map(|s| s as f32),
             sum_of_weights: 1.0,
-            padding: 0.0,
+            mask_bits: 0,
         }
     }
 }

@@ -7,9 +7,8 @@ pub struct Draw {
     pub jitters: Vec<Jitter>,
     /// Hardware samples a pixel.
     pub samples: u32,
-    /// Draw only where this r8uint texture is not 0; elsewhere the target keeps the clear colour, or with [`Target::Sum`] what it
-    /// holds.
-    pub mask: Option<wgpu::TextureView>,
+    /// Draw only where it says so; elsewhere the target keeps the clear colour, or with [`Target::Sum`] what it holds.
+    pub mask: Option<Mask>,
     /// Mark in this r8uint texture, with 1, every pixel that an edge of the geometry may touch: silhouettes, borders and creases that
     /// are not behind what was drawn. Only with one sample and without a sum. A host that cannot leaves the texture as it is, all 0.
     pub outline: Option<wgpu::TextureView>,
@@ -32,6 +31,23 @@ impl Default for Draw {
             time: 0.0,
             target: Target::Input,
         }
+    }
+}
+
+/// Which pixels a draw is for: those where a texture has any of some bits, so that one texture serves many draws.
+#[derive(Debug, Clone)]
+pub struct Mask {
+    /// An r8uint or r32uint texture of the picture's size.
+    pub view: wgpu::TextureView,
+    /// Which of its bits count; none of them forbids every pixel.
+    pub bits: u32,
+}
+
+impl Mask {
+    /// Every pixel where the texture is not 0.
+    #[must_use]
+    pub const fn non_zero(view: wgpu::TextureView) -> Self {
+        Self { view, bits: u32::MAX }
     }
 }
 

@@ -22,7 +22,7 @@ mod screen;
 
 pub(crate) use bindings::Binding;
 pub(crate) use compute::{ComputePass, Groups};
-pub use draw::{Draw, Jitter, Sum, Target};
+pub use draw::{Draw, Jitter, Mask, Sum, Target};
 pub use options::{Kind, OptionSpec, Options};
 pub use record::{Recorder, Timer};
 pub(crate) use screen::ScreenPass;

@@ -109,6 +109,7 @@ enum Value {
 #[derive(Debug, Clone)]
 pub struct Options {
     values: Vec<(&'static str, Value)>,
+    given: Vec<&'static str>,
 }
 
 impl Options {
@@ -139,7 +140,14 @@ impl Options {
             let explicit = given.iter().find(|(name, _)| *name == spec.name).map(|(_, value)| *value);
             Ok((spec.name, explicit.map_or_else(|| spec.kind.parse(method, spec.name, spec.default), Ok)?))
         };
-        Ok(Self { values: specs.iter().map(value_of).collect::<Result<_>>()? })
+        let values = specs.iter().map(value_of).collect::<Result<_>>()?;
+        Ok(Self { values, given: given.into_iter().map(|(name, _)| name).collect() })
+    }
+
+    /// Those that were given, in that order, be it with their defaults.
+    #[must_use]
+    pub fn given(&self) -> &[&'static str] {
+        &self.given
     }
 
     fn value(&self, name: &str) -> Option<Value> {

@@ -16,3 +16,4 @@ mod rounds;
 mod sequence;
 mod smaa_modes;
 mod taa;
+mod whitted;

@@ -5,7 +5,7 @@
 use dejag::capture::{Capture, Studio};
 use dejag::methods::Spec;
 use dejag::pass::{
-    Context, Draw, Encoding, Extras, FrameFacts, Inputs, Jitter, Needs, Pass, Recorder, Role, Sum, Target, Technique,
+    Context, Draw, Encoding, Extras, FrameFacts, Inputs, Jitter, Mask, Needs, Pass, Recorder, Role, Sum, Target, Technique,
 };
 use dejag::scene::{Scene, Tick};
 use wgpu::TextureFormat as Format;
@@ -21,6 +21,9 @@ const JITTERS: [Jitter; 4] = [
     Jitter { offset_px: [-0.375, 0.125], weight: 1.0 },
     Jitter { offset_px: [0.125, 0.375], weight: 1.0 },
 ];
+
+/// What the mask holds inside; elsewhere it has two other bits.
+const INSIDE: u32 = 2;
 
 /// The mask: a disk in the middle of the picture, so that it cuts through edges and flat parts alike.
 fn in_mask(x: u32, y: u32) -> bool {
@@ -39,7 +42,7 @@ fn masked(p: vec2<i32>, size: vec2<i32>) -> bool {
 @group(0) @binding(0) var first: texture_2d<f32>;
 @group(0) @binding(1) var sum: texture_2d<f32>;
 @fragment fn fs_mask(@builtin(position) p: vec4<f32>) -> @location(0) vec4<u32> {
-    return vec4<u32>(select(0u, 1u, masked(vec2<i32>(p.xy), vec2<i32>(textureDimensions(first)))));
+    return vec4<u32>(select(5u, 2u, masked(vec2<i32>(p.xy), vec2<i32>(textureDimensions(first)))));
 }
 @fragment fn fs_copy(@builtin(position) p: vec4<f32>) -> @location(0) vec4<f32> {
     return textureLoad(first, vec2<i32>(p.xy), 0);
@@ -57,6 +60,16 @@ enum TwoRounds {
     Sum,
     /// A plain draw, shown as it is.
     Plain,
+}
+
+impl TwoRounds {
+    /// Masks are of either.
+    fn mask_format(self) -> Format {
+        match self {
+            Self::Sum => Format::R8Uint,
+            Self::Plain => Format::R32Uint,
+        }
+    }
 }
 
 impl Technique for TwoRounds {
@@ -84,10 +97,10 @@ impl Technique for TwoRounds {
         Ok(Box::new(TwoRoundsPass {
             second: *self,
             device: context.device.clone(),
-            mask: texture(Format::R8Uint),
+            mask: texture(self.mask_format()),
             first: texture(context.input.format),
             sum: texture(Format::Rgba32Float),
-            fill_mask: pipeline(context.device, "fs_mask", Format::R8Uint),
+            fill_mask: pipeline(context.device, "fs_mask", self.mask_format()),
             copy: pipeline(context.device, "fs_copy", context.input.format),
             show: pipeline(context.device, "fs_copy", context.output.format),
             merge: pipeline(context.device, "fs_merge", context.output.format),
@@ -168,7 +181,7 @@ fn screen(recorder: &mut Recorder<'_>, pipeline: &wgpu::RenderPipeline, group: &
 
 impl Pass for TwoRoundsPass {
     fn next_draw(&mut self, k: u32, _: &FrameFacts) -> Option<Draw> {
-        let mask = Some(self.mask.clone());
+        let mask = Some(Mask { view: self.mask.clone(), bits: INSIDE });
         match (k, self.second) {
             (0, _) => Some(Draw::default()),
             (1, TwoRounds::Sum) => {

@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use super::Adaptive;
+use super::frame::{AdaptiveFrame, SHOW, show_counts};
 use super::targets::{Layers, bytes, of, target};
-use crate::pass::{Binding, Context, Draw, FrameFacts, Inputs, Jitter, Pass, Recorder, ScreenPass, Shaded, Sum, Target};
-use crate::shader::{Source, layout::gpu_struct, part};
+use crate::pass::{Binding, Context, Draw, FrameFacts, Inputs, Jitter, Mask, Pass, Recorder, ScreenPass, Shaded, Sum, Target};
+use crate::shader::{Source, part};
 
 pub(super) const KEEP: Source =
     Source { name: "adaptive keep", parts: &[part!("common/screen.wgsl"), part!("adaptive/keep.wgsl")] };
@@ -36,17 +37,6 @@ pub(super) const SETTLE: Source = Source {
         part!("adaptive/settle.wgsl"),
     ],
 };
-
-pub(super) const SHOW: Source =
-    Source { name: "adaptive show", parts: &[part!("common/screen.wgsl"), part!("adaptive/show.wgsl")] };
-
-gpu_struct! {
-    /// What a frame brings beside its pictures.
-    struct AdaptiveFrame {
-        /// Factor on linear colour before the tone map.
-        exposure: f32,
-    }
-}
 
 const SURFACE: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
 const TOTAL: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
@@ -141,12 +131,7 @@ impl Flat {
             steps: steps(method.probes.len(), method.samples.len(), method.independent, jitters_a_draw(context.size)),
             independent: method.independent,
             wants_outline: method.outline,
-            uniforms: device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("adaptive frame"),
-                size: size_of::<AdaptiveFrame>() as u64,
-                usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            }),
+            uniforms: AdaptiveFrame::buffer(device),
             colors: layers("adaptive probes", context.size, context.input.format),
             surfaces: criteria.reads_surfaces().then(|| (layers("adaptive surfaces", context.size, SURFACE), keep())),
             no_surfaces: layers("adaptive no surfaces", [1; 2], SURFACE),
@@ -221,7 +206,7 @@ impl Pass for Flat {
             Step::Base(samples) => Draw { jitters: self.samples[samples].to_vec(), target: total(true), ..Draw::default() },
             Step::Refine { samples, .. } => Draw {
                 jitters: self.samples[samples].to_vec(),
-                mask: Some(self.doubts[0].clone()),
+                mask: Some(Mask::non_zero(self.doubts[0].clone())),
                 target: total(false),
                 ..Draw::default()
             },
@@ -250,16 +235,7 @@ impl Pass for Flat {
     }
 
     fn view(&mut self, recorder: &mut Recorder<'_>, name: &str) -> Option<wgpu::TextureView> {
-        if name != "refine" {
-            return None;
-        }
-        let size = self.total.texture().size();
-        let format = wgpu::TextureFormat::Rgba8Unorm;
-        let picture = target(&self.device, "adaptive refine", [size.width, size.height], format);
-        let most = [("MOST", self.samples.len() as f64)];
-        let mut show = ScreenPass::new(&self.device, "adaptive refine", &SHOW, "fs_refine", &most, &[format]);
-        show.record(recorder, &[&of(&self.total)], &[&picture]);
-        Some(picture)
+        (name == "refine").then(|| show_counts(&self.device, recorder, &self.total, self.samples.len() as u32))
     }
 
     fn shaded(&self) -> Option<Shaded> {

@@ -8,15 +8,22 @@
 //! biased: a pixel whose first samples happen to agree keeps them. `independent=on` decides by probes that do not count, once, and
 //! takes what counts from other samples: unbiased, for more samples.
 //!
+//! All that is `scheme=flat`; `scheme=whitted` halves squares instead, see [`whitted`].
+//!
 //! Source: Whitted 1980, An Improved Illumination Model; Mitchell 1987, Generating Antialiased Images at Low Sampling Densities.
 //! Cost: the probes' draws, a masked draw a further sample, two full-screen passes a round.
 
 mod flat;
+mod frame;
+mod samples;
 mod targets;
+mod whitted;
 
 use crate::error::{Error, Result};
 use crate::pass::{Context, Extras, Jitter, Kind, Method, Needs, OptionSpec, Options, Pass, Technique};
 use crate::sampling::{jitter_cycle, pattern, pattern_names};
+
+const SCHEMES: [&str; 2] = ["flat", "whitted"];
 
 const CRITERIA: [&str; 6] = ["color", "gradient", "variance", "depth", "ids", "all"];
 
@@ -25,6 +32,12 @@ pub(super) const METHOD: Method = Method {
     summary: "supersampling where a few probes disagree: samples double until a round tells nothing new",
     source: "Whitted 1980; Mitchell 1987",
     options: &[
+        OptionSpec {
+            name: "scheme",
+            help: "flat: rounds of samples all over a pixel; whitted: its corners and centre, again in quadrants that differ (threshold alone)",
+            kind: Kind::Choice(|| SCHEMES.to_vec()),
+            default: "flat",
+        },
         OptionSpec {
             name: "probe",
             help: "samples that every pixel gets",
@@ -75,9 +88,21 @@ pub(super) const METHOD: Method = Method {
             default: "on",
         },
     ],
-    configure: |options| Ok(Box::new(Adaptive::new(options)?)),
-    shaders: &[flat::KEEP, flat::DETECT, flat::SPREAD, flat::SETTLE, flat::SHOW],
-    layouts: &[flat::AdaptiveFrame::LAYOUT],
+    configure: |options| match options.word("scheme") {
+        "whitted" => Ok(Box::new(whitted::Recursive::new(options)?)),
+        _ => Ok(Box::new(Adaptive::new(options)?)),
+    },
+    shaders: &[
+        flat::KEEP,
+        flat::DETECT,
+        flat::SPREAD,
+        flat::SETTLE,
+        frame::SHOW,
+        whitted::REFINE,
+        whitted::GATHER,
+        whitted::MEAN,
+    ],
+    layouts: &[frame::AdaptiveFrame::LAYOUT],
 };
 
 /// What the probes must agree on.
