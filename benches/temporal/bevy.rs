@@ -26,7 +26,7 @@ pub(crate) struct BevyTaa;
 
 impl Technique for BevyTaa {
     fn needs(&self) -> Needs {
-        Needs { extras: Extras { depth: true, motion: true, ids: false }, frames_before: 64, ..Needs::default() }
+        Needs { extras: Extras { depth: true, motion: true, ..Extras::default() }, frames_before: 64, ..Needs::default() }
     }
 
     fn build(&self, context: &Context<'_>) -> dejag::Result<Box<dyn Pass>> {

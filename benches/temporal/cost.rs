@@ -35,7 +35,7 @@ impl Drawn {
 
     fn inputs(&self, frame: FrameFacts) -> Inputs<'_> {
         let [depth, motion, ids] = [&self.depth, &self.motion, &self.ids].map(Some);
-        Inputs { color: &self.color, samples: None, depth, motion, ids, frame }
+        Inputs { color: &self.color, samples: None, depth, motion, ids, signature: None, frame }
     }
 }
 

@@ -155,6 +155,7 @@ struct ExtrasVertex {
     @location(2) clip: vec4<f32>,
     @location(3) previous_clip: vec4<f32>,
     @location(4) @interpolate(flat) id: u32,
+    @location(5) normal: vec3<f32>,
 }
 
 @vertex
@@ -163,6 +164,7 @@ fn vs_extras(
     @location(0) position: vec3<f32>,
     @location(3) uv: vec2<f32>,
     @location(4) color: vec4<f32>,
+    @location(1) normal: vec3<f32>,
 ) -> ExtrasVertex {
     let object = object_of(instance);
     return ExtrasVertex(
@@ -173,20 +175,23 @@ fn vs_extras(
         objects[object].clip_from_object * vec4<f32>(position, 1.0),
         objects[object].previous_clip_from_object * vec4<f32>(position, 1.0),
         objects[object].id,
+        (objects[object].normal_from_object * vec4<f32>(normal, 0.0)).xyz,
     );
 }
 
 struct Extras {
     @location(0) motion_px: vec2<f32>,
     @location(1) id: u32,
+    @location(2) signature: u32,
 }
 
 @fragment
-fn fs_extras(in: ExtrasVertex) -> Extras {
+fn fs_extras(in: ExtrasVertex, @builtin(front_facing) front: bool) -> Extras {
     if MASKED && base_color(vec4<f32>(1.0, 1.0, 1.0, in.opacity), in.uv).a < material.alpha_cutoff {
         discard;
     }
-    return Extras(motion_px(in.clip, in.previous_clip), in.id);
+    let faces_light = (dot(in.normal, frame.to_light.xyz) > 0.0) == front;
+    return Extras(motion_px(in.clip, in.previous_clip), in.id, 2u * (u32(material.emissive.w) + 1u) + u32(faces_light));
 }
 
 fn motion_px(clip: vec4<f32>, previous_clip: vec4<f32>) -> vec2<f32> {
@@ -199,7 +204,7 @@ fn motion_px(clip: vec4<f32>, previous_clip: vec4<f32>) -> vec2<f32> {
 fn fs_background_extras(@builtin(position) position: vec4<f32>) -> Extras {
     let ndc = 2.0 * position.xy / frame.size_px - 1.0;
     let clip = vec4<f32>(ndc.x, -ndc.y, 0.0, 1.0);
-    return Extras(motion_px(clip, frame.previous_clip_from_clip * clip), 0u);
+    return Extras(motion_px(clip, frame.previous_clip_from_clip * clip), 0u, 0u);
 }
 
 // Writes the stencil where the mask has none of the draw's bits.

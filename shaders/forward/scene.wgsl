@@ -37,7 +37,7 @@ struct Jitter {
 
 struct MaterialUniforms {
     base_color: vec4<f32>,
-    // Linear light; w unused.
+    // Linear light; w is the material's number in the scene.
     emissive: vec4<f32>,
     // The pattern's second colour; w unused.
     other: vec4<f32>,

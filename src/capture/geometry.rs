@@ -35,7 +35,7 @@ impl GeometryShot {
     /// As [`Studio::shot`].
     pub fn new(studio: &Studio<'_>, size: [u32; 2]) -> Result<Self> {
         let plain = Spec::parse("none")?;
-        let extras = Extras { depth: true, motion: true, ids: true };
+        let extras = Extras { depth: true, motion: true, ids: true, signature: false };
         let shot = studio.shot_of(&[("none", &*plain.stages[0].technique)], 0, size, extras)?;
         Ok(Self { shot, size })
     }

@@ -253,6 +253,7 @@ struct Beside {
     depth: Option<wgpu::TextureView>,
     motion: Option<wgpu::TextureView>,
     ids: Option<wgpu::TextureView>,
+    signature: Option<wgpu::TextureView>,
 }
 
 impl Beside {
@@ -262,6 +263,7 @@ impl Beside {
             depth: drawn.and_then(Targets::readable_depth),
             motion: view(|targets| targets.motion.as_ref()),
             ids: view(|targets| targets.ids.as_ref()),
+            signature: view(|targets| targets.signature.as_ref()),
         }
     }
 
@@ -272,7 +274,7 @@ impl Beside {
         frame: FrameFacts,
     ) -> Inputs<'a> {
         let (depth, motion, ids) = (self.depth.as_ref(), self.motion.as_ref(), self.ids.as_ref());
-        Inputs { color, samples, depth, motion, ids, frame }
+        Inputs { color, samples, depth, motion, ids, signature: self.signature.as_ref(), frame }
     }
 }
 

@@ -81,7 +81,7 @@ impl Studio<'_> {
 
     fn geometry(&mut self, kind: &ViewKind, frame: u32, size: [u32; 2]) -> Result<View> {
         let plain = Spec::parse("none")?;
-        let extras = Extras { depth: true, motion: *kind == ViewKind::Motion, ids: *kind == ViewKind::Ids };
+        let extras = Extras { depth: true, motion: *kind == ViewKind::Motion, ids: *kind == ViewKind::Ids, ..Extras::default() };
         let mut shot = self.shot_of(&[("none", &*plain.stages[0].technique)], frame, size, extras)?;
         self.take(&mut shot, None, &mut ())?;
         let data = read_drawn(self, &shot, |targets| match kind {

@@ -1,7 +1,7 @@
 //! Recording one draw: which render pass, in which order.
 
 use super::Forward;
-use super::pipelines::{Fill, MOST_JITTERS, STENCIL_FORBIDDEN, Step};
+use super::pipelines::{ExtraTargets, Fill, MOST_JITTERS, STENCIL_FORBIDDEN, Step};
 use super::targets::Targets;
 use crate::pass::{Draw, Recorder, Sum, Target};
 
@@ -42,14 +42,19 @@ fn steps(request: &Draw, targets: &Targets, output: &wgpu::TextureView) -> Vec<S
     steps
 }
 
+/// What is drawn beside the colour in a pass of its own; depth needs none.
+fn extra_targets(targets: &Targets) -> Option<ExtraTargets> {
+    let extras =
+        ExtraTargets { motion: targets.motion.is_some(), ids: targets.ids.is_some(), signature: targets.signature.is_some() };
+    (extras != ExtraTargets::default()).then_some(extras)
+}
+
 fn extras_step(targets: &Targets) -> Option<Step> {
-    let (motion, ids) = (targets.motion.is_some(), targets.ids.is_some());
-    (motion || ids).then_some(Step::Extras { motion, ids })
+    extra_targets(targets).map(Step::Extras)
 }
 
 fn extras_fill(targets: &Targets) -> Option<Fill> {
-    let (motion, ids) = (targets.motion.is_some(), targets.ids.is_some());
-    (motion || ids).then_some(Fill::Extras { motion, ids, depth: targets.depth.format() })
+    extra_targets(targets).map(|extras| Fill::Extras { extras, depth: targets.depth.format() })
 }
 
 fn fills(request: &Draw, color: Option<wgpu::TextureFormat>) -> Vec<Fill> {
@@ -75,7 +80,7 @@ fn color_format(request: &Draw, output: &wgpu::TextureView) -> wgpu::TextureForm
 fn prepare_pipelines(forward: &mut Forward, request: &Draw, targets: &Targets, output: &wgpu::TextureView) {
     for step in steps(request, targets, output) {
         // Extras need no stencil: equal depth says where the mask let something through.
-        let masked = request.mask.is_some() && !matches!(step, Step::Extras { .. });
+        let masked = request.mask.is_some() && !matches!(step, Step::Extras(_));
         for batch in &forward.resources.batches {
             forward.pipelines.surface(batch.kind, step, targets.samples, targets.depth.format(), masked);
         }
@@ -180,9 +185,9 @@ fn record_extras(forward: &mut Forward, recorder: &mut Recorder<'_>, targets: &T
         return;
     };
     let view = |texture: &Option<wgpu::Texture>| texture.as_ref().map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()));
-    let (motion, ids) = (view(&targets.motion), view(&targets.ids));
+    let views = [&targets.motion, &targets.ids, &targets.signature].map(view);
     let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
-    let attachments = [&motion, &ids].map(|v| v.as_ref().and_then(|v| color_attachment(v, clear)));
+    let attachments = views.each_ref().map(|v| v.as_ref().and_then(|v| color_attachment(v, clear)));
     let descriptor = wgpu::RenderPassDescriptor {
         label: Some("draw extras"),
         color_attachments: &attachments,

@@ -41,6 +41,14 @@ impl Kind {
     }
 }
 
+/// What a pass beside the colour writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub(super) struct ExtraTargets {
+    pub(super) motion: bool,
+    pub(super) ids: bool,
+    pub(super) signature: bool,
+}
+
 /// What a draw does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Step {
@@ -51,7 +59,7 @@ pub(super) enum Step {
     /// Adds where the depth is equal and nothing was added yet.
     Sum,
     /// Motion vectors and ids where the depth is equal.
-    Extras { motion: bool, ids: bool },
+    Extras(ExtraTargets),
 }
 
 /// Full-screen steps.
@@ -62,7 +70,7 @@ pub(super) enum Fill {
     /// Forbids drawing where the mask has none of the draw's bits.
     Stencil { color: Option<wgpu::TextureFormat> },
     /// Motion of what lies at infinity, and id 0.
-    Extras { motion: bool, ids: bool, depth: wgpu::TextureFormat },
+    Extras { extras: ExtraTargets, depth: wgpu::TextureFormat },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -184,7 +192,7 @@ impl Pipelines {
             Step::Sum => ("vs_surface", Some("fs_sum"), vec![Some(additive(wgpu::BlendFactor::Constant))]),
             Step::Depth if kind.masked => ("vs_mask", Some("fs_mask"), vec![]),
             Step::Depth => ("vs_depth", None, vec![]),
-            Step::Extras { motion, ids } => ("vs_extras", Some("fs_extras"), extras_targets(motion, ids)),
+            Step::Extras(extras) => ("vs_extras", Some("fs_extras"), extras_targets(extras)),
         };
         let targets = if step == Step::Depth { vec![Some(no_color())] } else { targets };
         let has_fragment = fragment.is_some();
@@ -227,7 +235,7 @@ impl Pipelines {
         let (layout, fragment, targets) = match fill {
             Fill::Background => (&self.fill_layout, "fs_background", vec![Some(additive(wgpu::BlendFactor::One))]),
             Fill::Stencil { color } => (&self.stencil_layout, "fs_stencil", vec![color.map(no_color_of)]),
-            Fill::Extras { motion, ids, .. } => (&self.fill_layout, "fs_background_extras", extras_targets(motion, ids)),
+            Fill::Extras { extras, .. } => (&self.fill_layout, "fs_background_extras", extras_targets(extras)),
         };
         let format = match fill {
             Fill::Extras { depth, .. } => depth,
@@ -268,8 +276,9 @@ impl Pipelines {
     }
 }
 
-fn extras_targets(motion: bool, ids: bool) -> Vec<Option<wgpu::ColorTargetState>> {
-    vec![motion.then(|| wgpu::TextureFormat::Rg32Float.into()), ids.then(|| wgpu::TextureFormat::R32Uint.into())]
+fn extras_targets(extras: ExtraTargets) -> Vec<Option<wgpu::ColorTargetState>> {
+    let number = |wanted: bool| wanted.then(|| wgpu::TextureFormat::R32Uint.into());
+    vec![extras.motion.then(|| wgpu::TextureFormat::Rg32Float.into()), number(extras.ids), number(extras.signature)]
 }
 
 /// Adds what is drawn times `src_factor`.

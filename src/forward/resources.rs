@@ -60,7 +60,7 @@ impl Resources {
     pub(super) fn new(gpu: &Gpu, scene: &Scene, pipelines: &Pipelines) -> Result<Self> {
         let textures: Vec<wgpu::Texture> = scene.textures.iter().map(|t| upload_texture(gpu, t)).collect::<Result<_>>()?;
         let plain = PlainTextures::new(gpu);
-        let bind = |material: &Material| bind_material(gpu, pipelines, material, scene, &textures, &plain);
+        let bind = |(material, number)| bind_material(gpu, pipelines, (material, number), scene, &textures, &plain);
         let storage = |label, bytes| gpu.device.create_buffer(&descriptor(label, bytes, wgpu::BufferUsages::STORAGE));
         let uniform_buffer =
             gpu.device.create_buffer(&descriptor("frame", size_of::<FrameUniforms>() as u64, wgpu::BufferUsages::UNIFORM));
@@ -69,7 +69,7 @@ impl Resources {
         let frame_group = bind_frame(&gpu.device, &pipelines.frame_layout, [&uniform_buffer, &objects, &jitters]);
         Ok(Self {
             light: SceneLight::of(scene),
-            materials: scene.materials.iter().map(|m| (m.clone(), bind(m))).collect(),
+            materials: scene.materials.iter().zip(0..).map(|(m, number)| (m.clone(), bind((m, number)))).collect(),
             meshes: HashMap::new(),
             uniforms: bytemuck::Zeroable::zeroed(),
             frame_layout: pipelines.frame_layout.clone(),
@@ -252,14 +252,14 @@ impl PlainTextures {
 fn bind_material(
     gpu: &Gpu,
     pipelines: &Pipelines,
-    material: &Material,
+    (material, number): (&Material, u32),
     scene: &Scene,
     textures: &[wgpu::Texture],
     plain: &PlainTextures,
 ) -> wgpu::BindGroup {
     let uniforms = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: Some("material"),
-        contents: bytemuck::bytes_of(&MaterialUniforms::of(material)),
+        contents: bytemuck::bytes_of(&MaterialUniforms::of(material, number)),
         usage: wgpu::BufferUsages::UNIFORM,
     });
     let slots: [Option<TextureRef>; 4] =

@@ -21,6 +21,8 @@ pub struct Targets {
     pub motion: Option<wgpu::Texture>,
     /// r32uint.
     pub ids: Option<wgpu::Texture>,
+    /// r32uint.
+    pub signature: Option<wgpu::Texture>,
 }
 
 impl Targets {
@@ -46,6 +48,7 @@ impl Targets {
             depth: target("scene depth", depth_format),
             motion: extras.motion.then(|| target("scene motion", wgpu::TextureFormat::Rg32Float)),
             ids: extras.ids.then(|| target("scene ids", wgpu::TextureFormat::R32Uint)),
+            signature: extras.signature.then(|| target("scene signature", wgpu::TextureFormat::R32Uint)),
         })
     }
 
@@ -65,7 +68,7 @@ impl Targets {
     /// Bytes of all of them.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        [self.color.as_ref(), Some(&self.depth), self.motion.as_ref(), self.ids.as_ref()]
+        [self.color.as_ref(), Some(&self.depth), self.motion.as_ref(), self.ids.as_ref(), self.signature.as_ref()]
             .into_iter()
             .flatten()
             .map(bytes_of)

@@ -151,7 +151,8 @@ impl JitterData {
 }
 
 impl MaterialUniforms {
-    pub(super) fn of(material: &Material) -> Self {
+    /// `number` tells it from the scene's other materials.
+    pub(super) fn of(material: &Material, number: u32) -> Self {
         let (other, pattern) = match material.pattern {
             Pattern::None | Pattern::Leaf => (Vec3::ZERO, [0.0; 4]),
             Pattern::Checker { cell, other } => (other, [1.0 / cell, 0.0, 0.0, 0.0]),
@@ -162,7 +163,8 @@ impl MaterialUniforms {
         };
         Self {
             base_color: material.base_color.to_array(),
-            emissive: padded(material.emissive, 0.0),
+            // Exact below 2^24.
+            emissive: padded(material.emissive, number as f32),
             other: padded(other, 0.0),
             pattern,
             metallic: material.metallic,

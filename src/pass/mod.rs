@@ -127,6 +127,9 @@ pub struct Extras {
     pub motion: bool,
     /// Object ids, 0 for the background.
     pub ids: bool,
+    /// What a surface is made of and whether it faces the light, as a number; 0 for the background. Unlike a colour it is the same
+    /// all over a texture.
+    pub signature: bool,
 }
 
 /// What a pass is built for.
@@ -226,6 +229,8 @@ pub struct Inputs<'a> {
     pub motion: Option<&'a wgpu::TextureView>,
     /// Object ids, if asked for.
     pub ids: Option<&'a wgpu::TextureView>,
+    /// Signatures of material and light (r32uint), if asked for.
+    pub signature: Option<&'a wgpu::TextureView>,
     /// Facts about the frame.
     pub frame: FrameFacts,
 }
@@ -258,7 +263,7 @@ impl<'a> Inputs<'a> {
     /// A picture and nothing beside it: all that a filter reads unless it asks for [`Extras`].
     #[must_use]
     pub fn picture(color: &'a wgpu::TextureView) -> Self {
-        Self { color, samples: None, depth: None, motion: None, ids: None, frame: FrameFacts::default() }
+        Self { color, samples: None, depth: None, motion: None, ids: None, signature: None, frame: FrameFacts::default() }
     }
 }
 
@@ -266,14 +271,19 @@ impl Extras {
     /// What is asked for, in words.
     #[must_use]
     pub fn names(self) -> Vec<&'static str> {
-        let all = [(self.depth, "depth"), (self.motion, "motion"), (self.ids, "ids")];
+        let all = [(self.depth, "depth"), (self.motion, "motion"), (self.ids, "ids"), (self.signature, "signature")];
         all.into_iter().filter(|(asked, _)| *asked).map(|(_, name)| name).collect()
     }
 
     /// What either asks for.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
-        Self { depth: self.depth || other.depth, motion: self.motion || other.motion, ids: self.ids || other.ids }
+        Self {
+            depth: self.depth || other.depth,
+            motion: self.motion || other.motion,
+            ids: self.ids || other.ids,
+            signature: self.signature || other.signature,
+        }
     }
 }
 

@@ -112,16 +112,16 @@ fn the_samples_reported_are_those_of_the_map() {
     }
 }
 
-/// Where nothing is refined, the picture is that of the probes.
+/// Probes alone are plain uniform samples.
 #[test]
-fn without_doubt_it_is_the_mean_of_the_probes() {
+fn probes_alone_are_uniform_samples() {
     let bench = Bench::new();
     let scene = scene("edges");
     let size = [61, 35];
-    let capture = bench.capture(&scene, "adaptive:threshold=1,outline=off,probe=4,pattern=rotated", size);
+    let capture = bench.capture(&scene, "adaptive:probe=4,max=4,pattern=larcher", size);
     assert_eq!(capture.samples_per_pixel, 4.0);
-    let uniform = bench.linear(&scene, "ssaa:spp=4,pattern=rotated", size);
     let capture = capture.linear.expect("linear");
+    let uniform = bench.linear(&scene, "ssaa:spp=4,pattern=larcher", size);
     let largest = largest_difference(&capture, &uniform);
     assert!(largest < 2e-3, "{largest}: more than halves lose");
 }
@@ -166,4 +166,27 @@ fn independent_probes_are_unbiased_and_others_are_not() {
 fn contradicting_options_are_refused() {
     let error = Spec::parse("adaptive:probe=8,max=4").expect_err("more probes than samples").to_string();
     assert!(error.contains("max=4") && error.contains("probe=8"), "{error}");
+}
+
+/// Every criterion draws, and all of them together refine no less than each.
+#[test]
+fn criteria_see_what_they_are_for() {
+    let bench = Bench::new();
+    let spp = |name: &str, criterion: &str| {
+        let method = format!("adaptive:max=16,outline=off,dilate=0,criterion={criterion}");
+        bench.capture(&scene(name), &method, [160, 90]).samples_per_pixel
+    };
+    for name in ["checker", "courtyard"] {
+        let each = ["color", "gradient", "variance", "depth", "ids"].map(|criterion| spp(name, criterion));
+        let all = spp(name, "all");
+        println!("{name}: {each:?}, all {all}");
+        assert!(each.iter().all(|spp| *spp > 4.0 && *spp <= all), "{name}");
+    }
+    // A textured floor is one surface in one light.
+    let [color, signature] = ["color", "signature"].map(|criterion| spp("checker", criterion));
+    println!("checker: by colour {color}, by signature {signature}");
+    assert!(signature > 4.0 && signature - 4.0 < 0.1 * (color - 4.0), "{color}, {signature}");
+    // The sides of an arch are of one material, in the light and out of it.
+    let [ids, signature] = ["ids", "signature"].map(|criterion| spp("courtyard", criterion));
+    assert!(signature > 4.0 && signature != ids, "{ids}, {signature}");
 }

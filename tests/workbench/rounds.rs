@@ -333,6 +333,7 @@ impl Pass for EchoPass {
         assert_eq!(inputs.depth.is_some(), self.echo.extras.depth);
         assert_eq!(inputs.motion.is_some(), self.echo.extras.motion);
         assert_eq!(inputs.ids.is_some(), self.echo.extras.ids);
+        assert_eq!(inputs.signature.is_some(), self.echo.extras.signature);
         assert_eq!(inputs.samples.map(|view| view.texture().sample_count()), self.echo.expects_samples.then_some(4));
         let display = self.echo.takes == Encoding::Display;
         assert_eq!(inputs.color.texture().format() == Format::Rgba8Unorm, display);
@@ -348,7 +349,7 @@ fn filters_get_the_picture_in_their_encoding_and_what_they_ask_for() {
     let gpu = common::gpu();
     let scene = Scene::load("fence").expect("shipped");
     let mut studio = Studio::new(&gpu, &scene).expect("uploads");
-    let everything = Extras { depth: true, motion: true, ids: true };
+    let everything = Extras { depth: true, motion: true, ids: true, signature: true };
     for first in ["none", "msaa:samples=4", "ssaa:spp=4"] {
         let spec = Spec::parse(first).expect("exists");
         for takes in [Encoding::Linear, Encoding::Display] {

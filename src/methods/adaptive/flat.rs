@@ -88,6 +88,7 @@ pub(super) struct Flat {
     colors: Layers,
     /// Where a criterion reads them.
     surfaces: Option<(Layers, ScreenPass)>,
+    by_signature: bool,
     no_surfaces: Layers,
     outline: wgpu::TextureView,
     /// Sum of all samples that count, and as it was before the round.
@@ -114,7 +115,7 @@ impl Flat {
             on("BY_GRADIENT", criteria.gradient),
             on("BY_VARIANCE", criteria.variance),
             on("BY_DEPTH", criteria.depth),
-            on("BY_IDS", criteria.ids),
+            on("BY_IDS", criteria.ids || criteria.signature),
         ];
         let pass = |label, source, entry, constants: &[_], targets: &[_]| {
             ScreenPass::new(device, label, source, entry, constants, targets)
@@ -134,6 +135,7 @@ impl Flat {
             uniforms: AdaptiveFrame::buffer(device),
             colors: layers("adaptive probes", context.size, context.input.format),
             surfaces: criteria.reads_surfaces().then(|| (layers("adaptive surfaces", context.size, SURFACE), keep())),
+            by_signature: criteria.signature,
             no_surfaces: layers("adaptive no surfaces", [1; 2], SURFACE),
             outline: own("adaptive outline", MASK),
             total: own("adaptive total", TOTAL),
@@ -152,7 +154,10 @@ impl Flat {
             let owed = |view: Option<&wgpu::TextureView>, what| {
                 of(view.unwrap_or_else(|| panic!("adaptive compares surfaces: its host owes it Inputs::{what}")))
             };
-            let bindings = [owed(inputs.depth, "depth"), owed(inputs.ids, "ids")];
+            let bindings = match self.by_signature {
+                true => [owed(inputs.depth, "depth"), owed(inputs.signature, "signature")],
+                false => [owed(inputs.depth, "depth"), owed(inputs.ids, "ids")],
+            };
             keep.record(recorder, &bindings.each_ref(), &[surfaces.layer(index)]);
         }
     }

@@ -1,17 +1,19 @@
-//! Adaptive supersampling: a few probes everywhere, more samples only where they disagree.
+//! Adaptive supersampling: a few probes everywhere, more samples only where they disagree or an edge passes.
 //!
-//! After the probes each round doubles the samples of the pixels that are still in doubt, until a round's mean tells nothing new or
-//! `max` is reached. Rounds are drawn under a mask, so settled pixels are not shaded; every sample taken counts in the mean. How far
-//! a mean is from the truth is told by how far the round's mean is from it: both stand for as many samples.
+//! Probes miss what is thin: a wire of a tenth of a pixel is in none of four probes two times of three. So the first probe asks its
+//! host for an outline too, in which silhouettes, borders and creases mark every pixel they touch. Pixels of the outline get all
+//! `max` samples; those whose probes disagree (and their neighbours) get four times as many with each round, until a round's mean
+//! tells nothing new. Rounds are drawn under a mask, so settled pixels are not shaded; every sample taken counts.
 //!
-//! Where it is wrong: what all probes of a pixel and of its neighbours miss is never refined. And stopping on what was seen is
-//! biased: a pixel whose first samples happen to agree keeps them. `independent=on` decides by probes that do not count, once, and
-//! takes what counts from other samples: unbiased, for more samples.
+//! Where it is wrong: what is no geometry (a texture, a highlight) and missed by all probes of a pixel and of its neighbours is never
+//! refined. And stopping on what was seen is biased: a pixel whose first samples happen to agree keeps them. `independent=on` decides
+//! by probes that do not count, once, and takes what counts from other samples: unbiased, for more samples.
 //!
 //! All that is `scheme=flat`; `scheme=whitted` halves squares instead, see [`whitted`].
 //!
-//! Source: Whitted 1980, An Improved Illumination Model; Mitchell 1987, Generating Antialiased Images at Low Sampling Densities.
-//! Cost: the probes' draws, a masked draw a further sample, two full-screen passes a round.
+//! Source: Whitted 1980, An Improved Illumination Model; Mitchell 1987, Generating Antialiased Images at Low Sampling Densities;
+//! Sander et al. 2001, Discontinuity Edge Overdraw, for the outline.
+//! Cost: the probes' draws, the outline, a masked draw a further sample, six full-screen passes.
 
 mod flat;
 mod frame;
@@ -25,11 +27,11 @@ use crate::sampling::{jitter_cycle, pattern, pattern_names};
 
 const SCHEMES: [&str; 2] = ["flat", "whitted"];
 
-const CRITERIA: [&str; 6] = ["color", "gradient", "variance", "depth", "ids", "all"];
+const CRITERIA: [&str; 7] = ["color", "gradient", "variance", "depth", "ids", "signature", "all"];
 
 pub(super) const METHOD: Method = Method {
     name: "adaptive",
-    summary: "supersampling where a few probes disagree: samples double until a round tells nothing new",
+    summary: "supersampling where geometry has edges or a few probes disagree",
     source: "Whitted 1980; Mitchell 1987",
     options: &[
         OptionSpec {
@@ -52,7 +54,7 @@ pub(super) const METHOD: Method = Method {
         },
         OptionSpec {
             name: "criterion",
-            help: "what the probes must agree on: colour, its slope, its standard error, depth, object ids, or all of them",
+            help: "what the probes must agree on: colour, its slope, its standard error, depth, object ids, all of these; signature: material and side of the light, whatever the texture",
             kind: Kind::Choice(|| CRITERIA.to_vec()),
             default: "color",
         },
@@ -113,20 +115,30 @@ struct Criteria {
     variance: bool,
     depth: bool,
     ids: bool,
+    /// Instead of all others.
+    signature: bool,
 }
 
 impl Criteria {
     fn of(name: &str) -> Self {
         let has = |own| name == own || name == "all";
-        Self { color: has("color"), gradient: has("gradient"), variance: has("variance"), depth: has("depth"), ids: has("ids") }
+        Self {
+            color: has("color"),
+            gradient: has("gradient"),
+            variance: has("variance"),
+            depth: has("depth"),
+            ids: has("ids"),
+            signature: name == "signature",
+        }
     }
 
     fn extras(self) -> Extras {
-        Extras { depth: self.depth, motion: false, ids: self.ids }
+        let wanted = self.reads_surfaces();
+        Extras { depth: wanted, ids: wanted && !self.signature, signature: self.signature, motion: false }
     }
 
     fn reads_surfaces(self) -> bool {
-        self.depth || self.ids
+        self.depth || self.ids || self.signature
     }
 }
 

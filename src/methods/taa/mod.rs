@@ -65,7 +65,12 @@ impl Technique for Taa {
         Needs {
             role: Role::Draws(Encoding::Linear),
             wide_output: !self.settings.in_halves,
-            extras: Extras { depth: self.settings.reads_depth(), motion: true, ids: self.settings.rejects_by("ids") },
+            extras: Extras {
+                depth: self.settings.reads_depth(),
+                motion: true,
+                ids: self.settings.rejects_by("ids"),
+                ..Extras::default()
+            },
             frames_before: self.settings.most.max(self.settings.cycle),
             ..Needs::default()
         }

@@ -68,6 +68,7 @@ impl<'h> Embedded<'h> {
                 motion: Some(&self.motion),
                 depth: Some(&self.depth),
                 ids: Some(&self.ids),
+                signature: None,
                 frame: facts,
                 ..Inputs::picture(&self.pictures[index as usize % 2])
             };

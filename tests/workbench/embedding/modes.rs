@@ -72,7 +72,7 @@ fn modes_say_what_they_take() {
     let plain = Spec::parse("smaa:mode=1x").expect("exists").first_needs();
     assert_eq!((plain.role, plain.samples_per_pixel, plain.frames_before), (Role::Filters(Encoding::Display), 1, 0));
     let extras = Spec::parse("smaa:mode=t2x,edges=ids").expect("exists").first_needs().extras;
-    assert_eq!(extras, Extras { motion: true, ids: true, depth: false });
+    assert_eq!(extras, Extras { motion: true, ids: true, ..Extras::default() });
 }
 
 #[test]

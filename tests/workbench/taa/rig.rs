@@ -132,6 +132,7 @@ impl<'g> Rig<'g> {
             depth: Some(&shown.depth),
             motion: Some(&shown.motion),
             ids: Some(&shown.ids),
+            signature: None,
             frame: self.frame,
         };
         let mut encoder = self.gpu.encoder();
