@@ -1,6 +1,6 @@
 // Where the probes disagree.
 
-// In display values, 0 to 1.
+// In values of `seen`, 0 to 1.
 override THRESHOLD: f32 = 0.02;
 override BY_COLOR: bool = true;
 override BY_GRADIENT: bool = false;

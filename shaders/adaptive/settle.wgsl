@@ -1,6 +1,6 @@
 // Which pixels a round has settled: its samples told nothing new.
 
-// How far the probes may be apart, in display values from 0 to 1. A range of four stands for about four times its mean's error,
+// How far the probes may be apart, in values of `seen` from 0 to 1. A range of four stands for about four times its mean's error,
 // and an error is what is estimated here.
 override THRESHOLD: f32 = 0.02;
 

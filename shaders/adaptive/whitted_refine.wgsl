@@ -1,6 +1,6 @@
 // Which squares are refined: those between a centre and a corner that differ.
 
-// In display values, 0 to 1.
+// In values of `seen`, 0 to 1.
 override THRESHOLD: f32 = 0.02;
 // How often a pixel is halved: the samples of deeper squares are not there yet.
 override DEPTH: u32 = 2u;

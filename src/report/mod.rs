@@ -5,6 +5,7 @@ mod edge_part;
 mod folder;
 mod frame;
 mod frames_folder;
+mod head;
 mod html;
 mod labels;
 mod lines;

@@ -1,5 +1,6 @@
 //! The report's page: what all scenes share. A scene's own part is in `scene_part`.
 
+use super::head::head;
 use super::html::SceneFiles;
 use super::labels::{Labels, distinct};
 use super::points::{self, Points};
@@ -8,7 +9,6 @@ use super::{edge_part, plot, scene_part};
 use crate::suite::{Results, SceneResult};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-const STYLE: &str = include_str!("report.css");
 const SCRIPT: &str = include_str!("report.js");
 
 /// The whole page, with its style and script in it: it loads nothing but the pictures beside it.
@@ -18,13 +18,7 @@ pub(super) fn page(results: &Results, files: &[SceneFiles], labels: &Labels) -> 
     html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { "dejag: " (extent) }
-                style { (PreEscaped(STYLE)) }
-            }
+            (head(&extent, ""))
             body {
                 a.skip href="#overview" { "Skip to the results" }
                 header {

@@ -60,7 +60,7 @@ pub(super) const METHOD: Method = Method {
         },
         OptionSpec {
             name: "threshold",
-            help: "how far apart they may be, in display values from 0 to 1",
+            help: "how far apart they may be, in roots of exposed linear colour from 0 to 1",
             kind: Kind::Number { min: 0.0, max: 1.0 },
             default: "0.02",
         },

@@ -5,10 +5,10 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::{Shown, StripPicture, curves};
 use crate::metrics::Figure;
 use crate::metrics::temporal::MEASURES;
+use crate::report::head::head;
 use crate::report::words::{self, NONE};
 use crate::suite::{SequenceFigures, SequenceOutcome, SequenceResult, SequenceResults};
 
-const STYLE: &str = include_str!("../report.css");
 const STRIP_STYLE: &str = include_str!("strip.css");
 
 /// The whole page, with its style in it: it loads nothing but the pictures beside it.
@@ -20,13 +20,7 @@ pub(super) fn page(results: &SequenceResults, strip: &[StripPicture]) -> String 
     html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { "dejag: " (extent) }
-                style { (PreEscaped(STYLE)) (PreEscaped(STRIP_STYLE)) }
-            }
+            (head(&extent, STRIP_STYLE))
             body {
                 a.skip href="#figures" { "Skip to the results" }
                 header {

@@ -1,12 +1,12 @@
 //! The page: for each chapter a table of errors, then the pictures.
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, html};
 
 use super::{DETAIL_PX, SeriesPicture};
+use crate::report::head::head;
 use crate::report::words::{self, NONE};
 use crate::suite::{Chapter, SampledPicture, Series, SeriesResults, Subject};
 
-const STYLE: &str = include_str!("../../report.css");
 const SERIES_STYLE: &str = include_str!("series.css");
 
 /// How much larger details are shown.
@@ -17,13 +17,7 @@ pub(super) fn page(results: &SeriesResults) -> String {
     html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { "dejag: sampling patterns" }
-                style { (PreEscaped(STYLE)) (PreEscaped(SERIES_STYLE)) }
-            }
+            (head("sampling patterns", SERIES_STYLE))
             body {
                 a.skip href="#chapter-0" { "Skip to the results" }
                 header {
