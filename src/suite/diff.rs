@@ -36,6 +36,7 @@ pub struct OutcomeCounts {
     pub new: u64,
     pub unreadable: u64,
     pub uncounted: u64,
+    pub failed: u64,
 }
 
 /// What came of a pair.
@@ -58,6 +59,8 @@ pub enum DiffOutcome {
     Unreadable,
     /// Mask and ignored regions leave no pixel to compare.
     Uncounted,
+    /// The candidate could not be drawn. Only of `check`.
+    Failed,
 }
 
 impl DiffOutcome {
@@ -73,6 +76,7 @@ impl DiffOutcome {
             Self::New => "new",
             Self::Unreadable => "unreadable",
             Self::Uncounted => "uncounted",
+            Self::Failed => "failed",
         }
     }
 }
@@ -239,6 +243,7 @@ impl OutcomeCounts {
                 DiffOutcome::New => &mut counts.new,
                 DiffOutcome::Unreadable => &mut counts.unreadable,
                 DiffOutcome::Uncounted => &mut counts.uncounted,
+                DiffOutcome::Failed => &mut counts.failed,
             } += 1;
         }
         counts
@@ -246,7 +251,7 @@ impl OutcomeCounts {
 
     /// Every outcome with its count, in a fixed order.
     #[must_use]
-    pub fn all(&self) -> [(DiffOutcome, u64); 8] {
+    pub fn all(&self) -> [(DiffOutcome, u64); 9] {
         [
             (DiffOutcome::Same, self.same),
             (DiffOutcome::Different, self.different),
@@ -256,13 +261,14 @@ impl OutcomeCounts {
             (DiffOutcome::New, self.new),
             (DiffOutcome::Unreadable, self.unreadable),
             (DiffOutcome::Uncounted, self.uncounted),
+            (DiffOutcome::Failed, self.failed),
         ]
     }
 
-    /// The exit code: 3 if a picture could not be read, else 1 if any pair differs, else 4 if nothing was compared, else 0.
+    /// The exit code: 3 if a picture could not be read or drawn, else 1 if any pair differs, else 4 if nothing was compared, else 0.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
-        if self.unreadable > 0 {
+        if self.unreadable + self.failed > 0 {
             3
         } else if self.different + self.size + self.profile + self.missing + self.new > 0 {
             1

@@ -1,5 +1,6 @@
 //! What a run of the bench says, as data: no GPU, no layout. `bench` and `compare` fill it, `report` shows it.
 
+mod check;
 mod diff;
 mod edges;
 mod patterns;
@@ -8,6 +9,7 @@ mod results;
 mod sequence;
 mod series;
 
+pub use check::{CHECK_SCHEMA_VERSION, CaseTiming, CheckResults, CheckedCase, Environment, Golden, ShardStamp};
 pub use diff::{
     ChangedObject, ClassFigures, DIFF_SCHEMA_VERSION, DiffOutcome, DiffPair, DiffResults, Knob, OutcomeCounts, PixelFigures,
     WorstPixel,

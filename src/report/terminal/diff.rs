@@ -38,7 +38,9 @@ fn paragraph(pair: &DiffPair, ink: &Ink) -> Vec<String> {
     let word = pair.outcome.as_str();
     let marked = match pair.outcome {
         DiffOutcome::Same => ink.green(word),
-        DiffOutcome::Different | DiffOutcome::Size | DiffOutcome::Profile | DiffOutcome::Unreadable => ink.red(word),
+        DiffOutcome::Different | DiffOutcome::Size | DiffOutcome::Profile | DiffOutcome::Unreadable | DiffOutcome::Failed => {
+            ink.red(word)
+        }
         DiffOutcome::Missing | DiffOutcome::New | DiffOutcome::Uncounted => ink.yellow(word),
     };
     let name = pair.path.as_deref().or(pair.actual.as_deref()).or(pair.expected.as_deref()).unwrap_or_default();
