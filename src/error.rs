@@ -25,9 +25,9 @@ pub enum Error {
     #[error("{0}")]
     Request(String),
 
-    /// A scene file that was read but makes no sense, with the place in the file.
+    /// A scene file or manifest that was read but makes no sense, with the place in the file.
     #[error("{path}:{line}:{column}: {message}")]
-    Scene {
+    Document {
         /// The file, as the user named it.
         path: String,
         /// Line, from 1.
@@ -102,11 +102,20 @@ impl Error {
         move |source| Self::Io { action, path, source }
     }
 
+    /// An [`Error::Document`] at a byte of a text, `path` being its file as the user named it.
+    #[must_use]
+    pub fn at(path: &str, text: &str, offset: usize, message: String) -> Self {
+        let before = &text[..text.floor_char_boundary(offset)];
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+        Self::Document { path: path.to_owned(), line, column, message }
+    }
+
     /// Who can mend this.
     #[must_use]
     pub fn blame(&self) -> Blame {
         match self {
-            Self::Request(_) | Self::Scene { .. } | Self::Model { .. } | Self::Unsupported(_) | Self::SizeMismatch(..) => {
+            Self::Request(_) | Self::Document { .. } | Self::Model { .. } | Self::Unsupported(_) | Self::SizeMismatch(..) => {
                 Blame::Request
             }
             Self::Io { .. } | Self::Format { .. } | Self::NoAdapter(_) | Self::Gpu { .. } => Blame::World,

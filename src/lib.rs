@@ -193,6 +193,8 @@ pub mod bench;
 #[cfg(feature = "workbench")]
 pub mod capture;
 #[cfg(feature = "score")]
+pub mod check;
+#[cfg(feature = "score")]
 pub mod cli;
 #[cfg(feature = "score")]
 pub mod compare;

@@ -1,7 +1,10 @@
 //! The command line: one file a verb. Data on stdout, words and progress on stderr.
 
+mod bless;
+mod check;
 mod completions;
 mod diff;
+mod merge;
 mod output;
 mod watch;
 
@@ -60,6 +63,8 @@ fn closing_words() -> String {
         "Examples:{drawing}
   dejag diff expected.png actual.png
   dejag diff goldens shots --max-flip 0.01 -o differences
+  dejag check --report report
+  dejag bless
 
 Exit codes: 0 fine; 1 pictures differ or a bar was missed; 2 a request that makes no sense; 3 could not run, read or write; \
 4 nothing was compared; 130 interrupted."
@@ -72,6 +77,9 @@ enum Verb {
     #[command(flatten)]
     Drawing(drawing::DrawingVerb),
     Diff(Box<diff::Diff>),
+    Check(Box<check::Check>),
+    Bless(bless::Bless),
+    Merge(merge::Merge),
     Completions(completions::Completions),
     #[command(hide = true)]
     Man(completions::Man),
@@ -86,6 +94,13 @@ pub fn main() -> ExitCode {
         #[cfg(feature = "workbench")]
         Verb::Drawing(verb) => verb.run(),
         Verb::Diff(verb) => verb.run(),
+        Verb::Check(verb) => {
+            #[cfg(feature = "workbench")]
+            quiet_loader::without_layer_noise();
+            verb.run()
+        }
+        Verb::Bless(verb) => verb.run(),
+        Verb::Merge(verb) => verb.run(),
         Verb::Completions(verb) => verb.run(),
         Verb::Man(verb) => verb.run(),
     };

@@ -84,6 +84,16 @@ pub fn list(expected: &Path, actual: &Path, filter: &Filter) -> Listing {
     listing
 }
 
+/// Paths below a folder that the filter takes, in order, and folders in it that could not be read. As [`list`].
+#[must_use]
+pub fn list_one(root: &Path, filter: &Filter) -> (Vec<PathBuf>, Vec<Error>) {
+    let mut listing = Listing::default();
+    let below = |path: &PathBuf| path.strip_prefix(root).unwrap_or(path).to_path_buf();
+    let mut paths: Vec<PathBuf> = listing.files(root).iter().map(below).filter(|path| filter.takes(path)).collect();
+    paths.sort();
+    (paths, listing.failures)
+}
+
 impl Listing {
     /// Whatever below `root` is no folder and no link to one.
     fn files(&mut self, root: &Path) -> Vec<PathBuf> {

@@ -1,4 +1,6 @@
-//! What a pair must meet.
+//! What a pair must meet, and the words it is asked for with.
+
+use std::str::FromStr;
 
 /// Limits of a comparison. Without any, a single differing pixel is too many.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -85,6 +87,75 @@ impl Allowance {
             Self::Count(count) => count,
             // What a share like 0.3 % comes to is often a whole number that f64 misses by little.
             Self::Share(share) => (share * of as f64 + 1e-9).floor() as u64,
+        }
+    }
+}
+
+impl FromStr for Allowance {
+    type Err = String;
+
+    /// Reads a count, or a share such as `0.1%`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let allowance = match text.trim().strip_suffix('%') {
+            Some(percent) => {
+                let share = number(percent).filter(|percent| *percent <= 100.0).map(|percent| percent / 100.0);
+                share.map(Self::Share)
+            }
+            None => text.trim().parse().ok().map(Self::Count),
+        };
+        allowance.ok_or_else(|| {
+            format!("'{text}' is no number of pixels; write a whole number, or a share of at most 100 such as 0.1%")
+        })
+    }
+}
+
+/// Reads a difference of channels: `2/255`, `300/65535`, or a number.
+///
+/// # Errors
+///
+/// What should have been written.
+pub fn parse_difference(text: &str) -> Result<f64, String> {
+    let difference = match text.split_once('/') {
+        Some((levels, of)) => number(levels).zip(number(of).filter(|of| *of > 0.0)).map(|(levels, of)| levels / of),
+        None => number(text),
+    };
+    difference.ok_or_else(|| format!("'{text}' is no difference; write 2/255, 300/65535, or a number of at least 0 such as 0.01"))
+}
+
+/// Reads the limit of a metric.
+///
+/// # Errors
+///
+/// What should have been written.
+pub fn parse_limit(text: &str) -> Result<f64, String> {
+    number(text).ok_or_else(|| format!("'{text}' is no limit; write a number of at least 0"))
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.trim().parse::<f64>().ok().filter(|x| *x >= 0.0 && x.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_and_counts() {
+        assert_eq!("12".parse(), Ok(Allowance::Count(12)));
+        assert_eq!("0.1%".parse(), Ok(Allowance::Share(0.001)));
+        assert_eq!(Allowance::Share(0.003).pixels(1000), 3);
+        assert_eq!(Allowance::Share(0.0039).pixels(1000), 3);
+        for bad in ["", "%", "-1", "1.5", "101%", "nan%", "many"] {
+            assert!(bad.parse::<Allowance>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn differences() {
+        assert_eq!(parse_difference("2/255"), Ok(2.0 / 255.0));
+        assert_eq!(parse_difference("0.5"), Ok(0.5));
+        for bad in ["", "/", "1/0", "-1/255", "1/2/3", "inf", "nan"] {
+            assert!(parse_difference(bad).is_err(), "{bad}");
         }
     }
 }

@@ -16,9 +16,11 @@ mod sides;
 #[cfg(test)]
 mod tests;
 mod verdict;
+mod waves;
 
 pub use files::Settings;
-pub use folders::{Filter, Listing, PathPair, list};
-pub use limits::{Allowance, Limits, Measure, MetricLimit};
+pub use folders::{Filter, Listing, PathPair, list, list_one};
+pub use limits::{Allowance, Limits, Measure, MetricLimit, parse_difference, parse_limit};
 pub use pictures::Targets;
 pub use scope::{Rectangle, Scope};
+pub use waves::wave_length;

@@ -2,6 +2,7 @@
 
 use crate::picture::Raster;
 use crate::{Error, Result};
+use std::str::FromStr;
 
 /// A rectangle of pixels, half-open: its right and lower border are outside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,6 +17,19 @@ impl Rectangle {
     /// Whether it lies inside pictures of that size.
     fn fits(&self, size: [u32; 2]) -> bool {
         (0..2).all(|axis| self.start[axis].checked_add(self.size[axis]).is_some_and(|end| end <= size[axis]))
+    }
+}
+
+impl FromStr for Rectangle {
+    type Err = String;
+
+    /// Reads `X,Y,W,H` in pixels.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers: Vec<Option<u32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+        match numbers[..] {
+            [Some(x), Some(y), Some(width @ 1..), Some(height @ 1..)] => Ok(Self { start: [x, y], size: [width, height] }),
+            _ => Err(format!("'{text}' is no rectangle; write X,Y,W,H in pixels, W and H at least 1")),
+        }
     }
 }
 
@@ -68,5 +82,18 @@ impl Scope {
             row[*x as usize..(x + width) as usize].fill(false);
         }
         Some(row)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rectangles() {
+        assert_eq!("1, 2,3,4".parse(), Ok(Rectangle { start: [1, 2], size: [3, 4] }));
+        for bad in ["", "1,2,3", "1,2,0,4", "1,2,3,0", "-1,2,3,4", "1,2,3,4,5", "a,b,c,d", "1.5,2,3,4"] {
+            assert!(bad.parse::<Rectangle>().is_err(), "{bad}");
+        }
     }
 }

@@ -19,6 +19,7 @@ mod save;
 mod srgb;
 #[cfg(test)]
 mod tests;
+mod texts;
 mod tiff_pages;
 
 pub use apng::{Apng, side_by_side};
@@ -32,6 +33,7 @@ pub use raster::{Channels, Raster};
 pub use rows::write_png_rows;
 pub use save::{FileFormat, Metadata};
 pub use srgb::{srgb_decode, srgb_encode};
+pub use texts::{texts, with_png_texts};
 
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};

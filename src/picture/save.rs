@@ -78,7 +78,7 @@ impl DisplayPicture {
 }
 
 /// The plain text chunk that every reader knows, where the text allows it, else the Unicode one.
-fn add_text<W: Write>(encoder: &mut png::Encoder<'_, W>, key: &str, value: &str) -> Result<(), png::EncodingError> {
+pub(super) fn add_text<W: Write>(encoder: &mut png::Encoder<'_, W>, key: &str, value: &str) -> Result<(), png::EncodingError> {
     if value.is_ascii() {
         encoder.add_text_chunk(key.into(), value.into())
     } else {

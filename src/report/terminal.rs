@@ -3,6 +3,7 @@
 use super::words::{self, figure, printable, score, shorten, three_digits, wrap};
 use crate::suite::{MethodResult, Outcome, Results, SceneResult, Timing};
 
+mod check;
 mod diff;
 mod grid;
 mod ink;
@@ -10,6 +11,7 @@ mod patterns;
 mod probes;
 mod sequence;
 
+pub use check::{check_summary, check_text};
 pub use diff::{diff_summary, diff_text};
 use grid::Grid;
 use ink::Ink;

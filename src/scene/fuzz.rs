@@ -29,7 +29,7 @@ fn survive(text: &str) {
                 assert_drawable(&scene, &scene.frame(index, [16, 9]).unwrap());
             }
         }
-        Err(Error::Scene { line, column, message, .. }) => {
+        Err(Error::Document { line, column, message, .. }) => {
             assert!((1..=text.lines().count() + 1).contains(&line), "line {line}: {message}");
             let length = text.split('\n').nth(line - 1).map_or(0, |line| line.chars().count());
             assert!((1..=length + 1).contains(&column), "column {column} of {length}: {message}");

@@ -90,7 +90,7 @@ impl Scene {
     /// From a scene file's text. Errors call it `path`; models are looked for beside `base_dir`.
     ///
     /// # Errors
-    /// [`Error::Scene`] with line and column, or what the models it names meet.
+    /// [`Error::Document`] with line and column, or what the models it names meet.
     pub fn parse(text: &str, path: &str, base_dir: &Path) -> Result<Self> {
         build::scene(text, path, base_dir)
     }

@@ -43,7 +43,7 @@ impl<'a> Source<'a> {
     }
 
     fn error_at(&self, offset: usize, message: String) -> Error {
-        error_at(self.path, self.text, offset, message)
+        Error::at(self.path, self.text, offset, message)
     }
 
     fn check_numbers(&self, value: &Spanned<DeValue<'_>>) -> Result<()> {
@@ -147,7 +147,7 @@ impl Place<'_> {
 /// What toml says, with the place in the house's own form.
 fn syntax_error(path: &str, text: &str, error: &toml::de::Error) -> Error {
     let offset = error.span().map_or(0, |span| span.start);
-    error_at(path, text, offset, in_plain_words(error.message()))
+    Error::at(path, text, offset, in_plain_words(error.message()))
 }
 
 /// serde speaks of Rust's types; who writes scenes need not know them.
@@ -164,13 +164,6 @@ fn in_plain_words(message: &str) -> String {
     known.unwrap_or_else(|| message.to_owned())
 }
 
-fn error_at(path: &str, text: &str, offset: usize, message: String) -> Error {
-    let before = &text[..text.floor_char_boundary(offset)];
-    let line = before.matches('\n').count() + 1;
-    let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
-    Error::Scene { path: path.to_owned(), line, column, message }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -179,7 +172,7 @@ mod tests {
 
     fn at(error: &Error) -> (usize, usize) {
         match error {
-            Error::Scene { line, column, .. } => (*line, *column),
+            Error::Document { line, column, .. } => (*line, *column),
             other => panic!("{other}"),
         }
     }

@@ -23,7 +23,7 @@ fn with_object(object: &str) -> String {
 /// The error's line and column, and its words.
 fn refused(text: &str) -> (usize, usize, String) {
     match parse(text) {
-        Err(Error::Scene { path, line, column, message }) => {
+        Err(Error::Document { path, line, column, message }) => {
             assert_eq!(path, "s.toml");
             (line, column, message)
         }
@@ -309,7 +309,7 @@ fn files_that_are_no_scene_are_the_worlds_fault() {
     assert!(matches!(Scene::load(folder.path().join("folder.toml").to_str().unwrap()), Err(Error::Io { .. })));
     // Cut in the middle of a line it is still text: the place of the cut is what helps.
     std::fs::write(&path, &SHIPPED[0].text[..SHIPPED[0].text.find("wedges = {").unwrap() + 12]).unwrap();
-    assert!(matches!(Scene::load(name), Err(Error::Scene { line, .. }) if line > 10));
+    assert!(matches!(Scene::load(name), Err(Error::Document { line, .. }) if line > 10));
     std::fs::write(&path, format!("\u{feff}{}", SHIPPED[0].text)).unwrap();
     assert!(Scene::load(name).is_ok(), "a byte order mark is fine");
 }

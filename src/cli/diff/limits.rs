@@ -3,7 +3,7 @@
 use clap::Args;
 use std::path::PathBuf;
 
-use crate::compare::{Allowance, Limits, Measure, MetricLimit, Rectangle, Scope, Settings};
+use crate::compare::{Allowance, Limits, Measure, MetricLimit, Rectangle, Scope, Settings, parse_difference, parse_limit};
 use crate::error::Result;
 use crate::picture::Raster;
 
@@ -11,7 +11,7 @@ use crate::picture::Raster;
 #[derive(Debug, Args)]
 pub(super) struct LimitOptions {
     /// Most pixels that may differ, as a count or a share (0.1%) [default: 0, unless only metrics are limited]
-    #[arg(long, value_name = "N|P%", value_parser = parse_allowance, help_heading = LIMITS)]
+    #[arg(long, value_name = "N|P%", help_heading = LIMITS)]
     max_pixels: Option<Allowance>,
     /// How far a channel may be off before its pixel differs: N/255, N/65535 or a number [default: 0]
     #[arg(long, value_name = "D", value_parser = parse_difference, help_heading = LIMITS)]
@@ -41,7 +41,7 @@ pub(super) struct LimitOptions {
     #[arg(long, value_name = "FILE", help_heading = COUNTS)]
     mask: Option<PathBuf>,
     /// A rectangle whose pixels do not count, from column X, row Y; give it again for more
-    #[arg(long, value_name = "X,Y,W,H", value_parser = parse_rectangle, help_heading = COUNTS)]
+    #[arg(long, value_name = "X,Y,W,H", help_heading = COUNTS)]
     ignore: Vec<Rectangle>,
 }
 
@@ -78,41 +78,8 @@ impl LimitOptions {
     }
 }
 
-fn parse_limit(text: &str) -> Result<f64, String> {
-    number(text).ok_or_else(|| format!("'{text}' is no limit; write a number of at least 0"))
-}
-
-fn number(text: &str) -> Option<f64> {
-    text.trim().parse::<f64>().ok().filter(|x| *x >= 0.0 && x.is_finite())
-}
-
-fn parse_allowance(text: &str) -> Result<Allowance, String> {
-    let allowance = match text.trim().strip_suffix('%') {
-        Some(percent) => number(percent).filter(|percent| *percent <= 100.0).map(|percent| Allowance::Share(percent / 100.0)),
-        None => text.trim().parse().ok().map(Allowance::Count),
-    };
-    allowance
-        .ok_or_else(|| format!("'{text}' is no number of pixels; write a whole number, or a share of at most 100 such as 0.1%"))
-}
-
-fn parse_difference(text: &str) -> Result<f64, String> {
-    let difference = match text.split_once('/') {
-        Some((levels, of)) => number(levels).zip(number(of).filter(|of| *of > 0.0)).map(|(levels, of)| levels / of),
-        None => number(text),
-    };
-    difference.ok_or_else(|| format!("'{text}' is no difference; write 2/255, 300/65535, or a number of at least 0 such as 0.01"))
-}
-
-fn parse_rectangle(text: &str) -> Result<Rectangle, String> {
-    let numbers: Vec<Option<u32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
-    match numbers[..] {
-        [Some(x), Some(y), Some(width @ 1..), Some(height @ 1..)] => Ok(Rectangle { start: [x, y], size: [width, height] }),
-        _ => Err(format!("'{text}' is no rectangle; write X,Y,W,H in pixels, W and H at least 1")),
-    }
-}
-
 /// A number of bytes with or without a unit.
-pub(super) fn parse_bytes(text: &str) -> Result<u64, String> {
+pub(in super::super) fn parse_bytes(text: &str) -> Result<u64, String> {
     let text = text.trim();
     let digits = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
     let unit = match text[digits..].trim().to_ascii_lowercase().as_str() {
@@ -133,31 +100,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shares_and_counts() {
-        assert_eq!(parse_allowance("12"), Ok(Allowance::Count(12)));
-        assert_eq!(parse_allowance("0.1%"), Ok(Allowance::Share(0.001)));
-        assert_eq!(Allowance::Share(0.003).pixels(1000), 3);
-        assert_eq!(Allowance::Share(0.0039).pixels(1000), 3);
-        for bad in ["", "%", "-1", "1.5", "101%", "nan%", "many"] {
-            assert!(parse_allowance(bad).is_err(), "{bad}");
-        }
-    }
-
-    #[test]
-    fn differences() {
-        assert_eq!(parse_difference("2/255"), Ok(2.0 / 255.0));
-        assert_eq!(parse_difference("0.5"), Ok(0.5));
-        for bad in ["", "/", "1/0", "-1/255", "1/2/3", "inf", "nan"] {
-            assert!(parse_difference(bad).is_err(), "{bad}");
-        }
-    }
-
-    #[test]
-    fn rectangles_and_sizes() {
-        assert_eq!(parse_rectangle("1, 2,3,4"), Ok(Rectangle { start: [1, 2], size: [3, 4] }));
-        for bad in ["", "1,2,3", "1,2,0,4", "1,2,3,0", "-1,2,3,4", "1,2,3,4,5", "a,b,c,d", "1.5,2,3,4"] {
-            assert!(parse_rectangle(bad).is_err(), "{bad}");
-        }
+    fn sizes() {
         assert_eq!([parse_bytes("2GiB"), parse_bytes("10"), parse_bytes("3 mib")], [Ok(1 << 31), Ok(10), Ok(3 << 20)]);
         for bad in ["", "0", "GiB", "1TB", "-1", "1.5GiB", "99999999999GiB"] {
             assert!(parse_bytes(bad).is_err(), "{bad}");

@@ -11,6 +11,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use self::limits::LimitOptions;
+pub(super) use self::limits::parse_bytes;
 use self::targets::TargetOptions;
 use self::work::Work;
 use super::output;

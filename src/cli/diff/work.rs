@@ -6,16 +6,9 @@ use rayon::prelude::*;
 
 use super::super::watch::{Bar, check_interrupt};
 use super::targets::Plan;
-use crate::compare::{PathPair, Settings};
+use crate::compare::{Settings, wave_length};
 use crate::error::{Blame, Error, Result};
-use crate::picture::Raster;
 use crate::suite::{DiffOutcome, DiffPair};
-
-/// Bytes of decoded pictures at once; a larger pair goes alone.
-const BYTES_AT_ONCE: u64 = 1 << 30;
-
-/// Pairs at once for each core: more than one, so that no core waits long for the slowest.
-const PAIRS_PER_CORE: usize = 8;
 
 pub(super) struct Work<'a> {
     pub(super) settings: &'a Settings,
@@ -32,7 +25,8 @@ impl Work<'_> {
         let mut rest = self.plans;
         while !rest.is_empty() {
             check_interrupt()?;
-            let (wave, later) = rest.split_at(wave(rest));
+            let wave = wave_length(rest, |plan| [&plan.pair.expected, &plan.pair.actual]);
+            let (wave, later) = rest.split_at(wave);
             bar.say(wave[0].pair.path.to_string_lossy().replace(char::is_control, "\u{fffd}"));
             let compared: Vec<DiffPair> = wave.par_iter().map(|plan| self.pair(plan)).collect::<Result<_>>()?;
             pairs.extend(compared);
@@ -66,21 +60,4 @@ impl Work<'_> {
             other => other,
         }
     }
-}
-
-/// How many of the first plans fit into memory together; at least one.
-fn wave(plans: &[Plan]) -> usize {
-    let mut bytes = 0;
-    let most = PAIRS_PER_CORE * rayon::current_num_threads();
-    let fits = |plan: &&Plan| {
-        bytes += bytes_of(&plan.pair);
-        bytes <= BYTES_AT_ONCE
-    };
-    plans.iter().take(most).take_while(fits).count().max(1)
-}
-
-/// What a pair takes decoded. What cannot be read takes nothing.
-fn bytes_of(pair: &PathPair) -> u64 {
-    let paths = [&pair.expected, &pair.actual].into_iter().flatten();
-    paths.filter(|path| path.is_file()).map(|path| Raster::measure_bytes(path).unwrap_or(0)).sum()
 }

@@ -3,10 +3,10 @@
 use super::{Ink, TABLE_WIDTH};
 use crate::metrics::Figure;
 use crate::report::words::{figure, printable, wrap};
-use crate::suite::{ClassFigures, DiffOutcome, DiffPair, DiffResults, Knob, PixelFigures, WorstPixel};
+use crate::suite::{ClassFigures, DiffOutcome, DiffPair, DiffResults, Knob, OutcomeCounts, PixelFigures, WorstPixel};
 
 /// Below the line of its pair.
-const INDENT: usize = 4;
+pub(super) const INDENT: usize = 4;
 
 /// A paragraph for each pair; of several pairs, those that are the same only with `all`. Lines keep to [`TABLE_WIDTH`] characters
 /// where no path is longer. With `color`, ANSI escapes mark what matters.
@@ -21,11 +21,7 @@ pub fn diff_text(results: &DiffResults, all: bool, color: bool) -> String {
 /// How many pairs came out how, in a line.
 #[must_use]
 pub fn diff_summary(results: &DiffResults) -> String {
-    let counted = results.counts.all().into_iter().filter(|(_, count)| *count > 0);
-    let mut words: Vec<String> = counted.map(|(outcome, count)| format!("{count} {}", outcome.as_str())).collect();
-    if words.is_empty() {
-        words.push("no pictures".into());
-    }
+    let mut words = counted(&results.counts);
     match results.skipped {
         0 => {}
         1 => words.push("1 other file skipped".into()),
@@ -34,7 +30,14 @@ pub fn diff_summary(results: &DiffResults) -> String {
     words.join(", ")
 }
 
-fn paragraph(pair: &DiffPair, ink: &Ink) -> Vec<String> {
+/// Each outcome that there is, with its count.
+pub(super) fn counted(counts: &OutcomeCounts) -> Vec<String> {
+    let there = counts.all().into_iter().filter(|(_, count)| *count > 0);
+    let words: Vec<String> = there.map(|(outcome, count)| format!("{count} {}", outcome.as_str())).collect();
+    if words.is_empty() { vec!["no pictures".into()] } else { words }
+}
+
+pub(super) fn paragraph(pair: &DiffPair, ink: &Ink) -> Vec<String> {
     let word = pair.outcome.as_str();
     let marked = match pair.outcome {
         DiffOutcome::Same => ink.green(word),

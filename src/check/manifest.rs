@@ -1,0 +1,387 @@
+//! `dejag.toml`: which pictures are held against their goldens, and what they must meet.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use globset::GlobMatcher;
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::entry::{Drawing, Entry, Format, Subject};
+use super::tolerance::{Override, Tolerance, glob};
+use super::words::{self, Area, Several};
+use crate::compare::Filter;
+use crate::{Error, Result};
+
+/// A manifest that makes sense as far as can be told without drawing.
+#[derive(Debug, Clone)]
+pub struct Manifest {
+    /// As the user named it.
+    pub path: PathBuf,
+    /// BLAKE3 of its bytes, in hexadecimal.
+    pub hash: String,
+    /// What paths in it are relative to.
+    pub root: PathBuf,
+    /// Where goldens lie, a folder for each environment; below the root.
+    pub goldens: PathBuf,
+    /// Where candidates and results go unless the command line says otherwise; below the root.
+    pub output: PathBuf,
+    /// Environments whose goldens stand in where an environment has none of its own.
+    pub fallback: Vec<String>,
+    /// In the order of the file: captures, sequences, files.
+    pub entries: Vec<Entry>,
+    overrides: Vec<Override>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a manifest")]
+struct Document {
+    #[serde(default = "goldens")]
+    goldens: PathBuf,
+    #[serde(default = "output")]
+    output: PathBuf,
+    #[serde(default)]
+    fallback: Vec<Spanned<String>>,
+    #[serde(default)]
+    tolerance: Tolerance,
+    #[serde(default, rename = "override")]
+    overrides: Vec<OverrideDocument>,
+    #[serde(default)]
+    capture: Vec<Spanned<CaptureDocument>>,
+    #[serde(default)]
+    sequence: Vec<Spanned<SequenceDocument>>,
+    #[serde(default)]
+    files: Vec<Spanned<FilesDocument>>,
+}
+
+fn goldens() -> PathBuf {
+    "goldens".into()
+}
+
+fn output() -> PathBuf {
+    "dejag-check".into()
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "an override")]
+struct OverrideDocument {
+    case: Option<Spanned<String>>,
+    environment: Option<Spanned<String>>,
+    platform: Option<Spanned<String>>,
+    tolerance: Tolerance,
+}
+
+/// What every entry may say.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", default, expecting = "a table")]
+struct Scoping {
+    mask: Option<PathBuf>,
+    ignore: Vec<Area>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a capture")]
+struct CaptureDocument {
+    id: Option<String>,
+    scene: Several,
+    #[serde(default = "plain")]
+    method: Several,
+    #[serde(default = "usual_size", deserialize_with = "words::size")]
+    size: [u32; 2],
+    #[serde(default)]
+    frame: u32,
+    #[serde(default)]
+    format: Format,
+    #[serde(default)]
+    tolerance: Tolerance,
+    #[serde(default)]
+    scope: Scoping,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a sequence")]
+struct SequenceDocument {
+    id: Option<String>,
+    scene: Several,
+    #[serde(default = "plain")]
+    method: Several,
+    #[serde(default = "usual_size", deserialize_with = "words::size")]
+    size: [u32; 2],
+    #[serde(deserialize_with = "words::frames")]
+    frames: Range<i64>,
+    #[serde(default)]
+    format: Format,
+    #[serde(default)]
+    tolerance: Tolerance,
+    #[serde(default)]
+    scope: Scoping,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "files")]
+struct FilesDocument {
+    id: String,
+    file: Option<PathBuf>,
+    folder: Option<PathBuf>,
+    #[serde(default)]
+    include: Vec<String>,
+    #[serde(default)]
+    exclude: Vec<String>,
+    #[serde(default)]
+    tolerance: Tolerance,
+    #[serde(default)]
+    scope: Scoping,
+}
+
+fn plain() -> Several {
+    Several(vec!["none".into()])
+}
+
+fn usual_size() -> [u32; 2] {
+    [640, 360]
+}
+
+/// Largest manifest that is read, in bytes.
+const MAX_BYTES: u64 = 16 << 20;
+
+/// Most entries that a manifest may come to.
+const MAX_ENTRIES: usize = 100_000;
+
+impl Manifest {
+    /// Reads one.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Io`]; [`Error::Document`] with line and column for what makes no sense.
+    pub fn read(path: &Path) -> Result<Self> {
+        let io = |source| Error::io("read the manifest", path)(source);
+        if fs::metadata(path).map_err(io)?.len() > MAX_BYTES {
+            return Err(Error::at(&path.to_string_lossy(), "", 0, format!("it is larger than {} MiB", MAX_BYTES >> 20)));
+        }
+        let bytes = fs::read(path).map_err(io)?;
+        Self::parse(path, &bytes)
+    }
+
+    /// Of a file's bytes.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Document`].
+    pub fn parse(path: &Path, bytes: &[u8]) -> Result<Self> {
+        let name = path.to_string_lossy();
+        let text = str::from_utf8(bytes).map_err(|error| {
+            let valid = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
+            Error::at(&name, &valid, valid.len(), "it is not UTF-8 text from here on".into())
+        })?;
+        let document: Document = toml::from_str(text).map_err(|error| {
+            Error::at(&name, text, error.span().map_or(0, |span| span.start), error.message().to_owned())
+        })?;
+        let place = Place { name: &name, text };
+        let mut entries = Vec::new();
+        for capture in &document.capture {
+            place.add(&mut entries, capture.span().start, capture.get_ref().entries(&document.tolerance))?;
+        }
+        for sequence in &document.sequence {
+            place.add(&mut entries, sequence.span().start, sequence.get_ref().entries(&document.tolerance))?;
+        }
+        for files in &document.files {
+            let entry = files.get_ref().entry(&document.tolerance).map(|entry| vec![entry]);
+            place.add(&mut entries, files.span().start, entry)?;
+        }
+        let mut ids = BTreeSet::new();
+        for (offset, entry) in &entries {
+            if !ids.insert(&entry.id) {
+                return Err(place.error(*offset, format!("id '{}' is taken by an entry above; give each its own `id`", entry.id)));
+            }
+        }
+        // A golden would have to be a file and a folder at once.
+        for (offset, entry) in &entries {
+            let above = entry.id.match_indices('/').map(|(at, _)| &entry.id[..at]).find(|above| ids.contains(&(*above).to_owned()));
+            if let Some(above) = above {
+                return Err(place.error(*offset, format!("id '{}' lies below another entry's id, '{above}'", entry.id)));
+            }
+        }
+        for level in &document.fallback {
+            check_id(level.get_ref()).map_err(|why| place.error(level.span().start, why))?;
+        }
+        Ok(Self {
+            path: path.to_path_buf(),
+            hash: blake3::hash(bytes).to_hex().to_string(),
+            root: path.parent().unwrap_or(Path::new("")).to_path_buf(),
+            goldens: document.goldens,
+            output: document.output,
+            fallback: document.fallback.into_iter().map(Spanned::into_inner).collect(),
+            entries: entries.into_iter().map(|(_, entry)| entry).collect(),
+            overrides: document.overrides.iter().map(|over| place.over(over)).collect::<Result<_>>()?,
+        })
+    }
+
+    /// What a picture of an entry must meet in an environment.
+    #[must_use]
+    pub fn tolerance(&self, entry: &Entry, id: &str, environment: &str, platform: &str) -> Tolerance {
+        let held = self.overrides.iter().filter(|over| over.holds(id, environment, platform));
+        held.fold(entry.tolerance, |tolerance, over| tolerance.with(&over.tolerance))
+    }
+
+    /// Entries whose ids, or a part of which up to a `/`, match any of these; all without one.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Request`] for what is no pattern, or matches nothing.
+    pub fn select(&self, patterns: &[String]) -> Result<Vec<&Entry>> {
+        if patterns.is_empty() {
+            return Ok(self.entries.iter().collect());
+        }
+        let globs: Vec<(&String, GlobMatcher)> = patterns
+            .iter()
+            .map(|pattern| Ok((pattern, glob(pattern).map_err(Error::Request)?)))
+            .collect::<Result<_>>()?;
+        for (pattern, glob) in &globs {
+            if !self.entries.iter().any(|entry| is_named(glob, &entry.id)) {
+                let known: Vec<&str> = self.entries.iter().map(|entry| entry.id.as_str()).collect();
+                return Err(crate::error::unknown("case", pattern, &known));
+            }
+        }
+        Ok(self.entries.iter().filter(|entry| globs.iter().any(|(_, glob)| is_named(glob, &entry.id))).collect())
+    }
+
+    /// Where goldens of an environment lie.
+    #[must_use]
+    pub fn goldens_of(&self, environment: &str) -> PathBuf {
+        self.root.join(&self.goldens).join(environment)
+    }
+}
+
+/// Whether a pattern matches an id or what stands before one of its `/`.
+#[must_use]
+pub(super) fn is_named(glob: &GlobMatcher, id: &str) -> bool {
+    glob.is_match(id) || id.match_indices('/').any(|(at, _)| glob.is_match(&id[..at]))
+}
+
+/// The text, for errors with places.
+struct Place<'a> {
+    name: &'a str,
+    text: &'a str,
+}
+
+impl Place<'_> {
+    fn error(&self, offset: usize, message: String) -> Error {
+        Error::at(self.name, self.text, offset, message)
+    }
+
+    fn add(&self, all: &mut Vec<(usize, Entry)>, offset: usize, entries: Result<Vec<Entry>, String>) -> Result<()> {
+        let entries = entries.map_err(|why| self.error(offset, why))?;
+        if all.len() + entries.len() > MAX_ENTRIES {
+            return Err(self.error(offset, format!("with this the manifest comes to more than {MAX_ENTRIES} cases; use several")));
+        }
+        all.extend(entries.into_iter().map(|entry| (offset, entry)));
+        Ok(())
+    }
+
+    fn over(&self, document: &OverrideDocument) -> Result<Override> {
+        let matcher = |pattern: &Option<Spanned<String>>| {
+            let compiled = pattern.as_ref().map(|p| glob(p.get_ref()).map_err(|why| self.error(p.span().start, why)));
+            compiled.transpose()
+        };
+        Ok(Override {
+            case: matcher(&document.case)?,
+            environment: matcher(&document.environment)?,
+            platform: matcher(&document.platform)?,
+            tolerance: document.tolerance,
+        })
+    }
+}
+
+impl CaptureDocument {
+    fn entries(&self, tolerance: &Tolerance) -> Result<Vec<Entry>, String> {
+        let names = Names { id: self.id.as_deref(), scenes: &self.scene.0, methods: &self.method.0, size: self.size };
+        let suffix = if self.frame == 0 { String::new() } else { format!("-frame-{}", self.frame) };
+        names.entries(self.format, &suffix, |drawing| Subject::Capture(drawing, self.frame), |id, subject| {
+            self.scope.entry(id, subject, tolerance.with(&self.tolerance))
+        })
+    }
+}
+
+impl SequenceDocument {
+    fn entries(&self, tolerance: &Tolerance) -> Result<Vec<Entry>, String> {
+        let names = Names { id: self.id.as_deref(), scenes: &self.scene.0, methods: &self.method.0, size: self.size };
+        names.entries(self.format, "", |drawing| Subject::Sequence(drawing, self.frames.clone()), |id, subject| {
+            self.scope.entry(id, subject, tolerance.with(&self.tolerance))
+        })
+    }
+}
+
+impl FilesDocument {
+    fn entry(&self, tolerance: &Tolerance) -> Result<Entry, String> {
+        let subject = match (&self.file, &self.folder) {
+            (Some(file), None) if self.include.is_empty() && self.exclude.is_empty() => Subject::File(file.clone()),
+            (Some(_), None) => return Err("`include` and `exclude` choose among the files of a `folder`".into()),
+            (None, Some(folder)) => {
+                let filter = Filter::new(&self.include, &self.exclude).map_err(|error| error.to_string())?;
+                Subject::Folder(folder.clone(), filter)
+            }
+            _ => return Err("files need either `file` or `folder`".into()),
+        };
+        self.scope.entry(self.id.clone(), subject, tolerance.with(&self.tolerance))
+    }
+}
+
+impl Scoping {
+    fn entry(&self, id: String, subject: Subject, tolerance: Tolerance) -> Result<Entry, String> {
+        check_id(&id)?;
+        let ignored = self.ignore.iter().map(|area| area.0).collect();
+        Ok(Entry { id, subject, tolerance, mask: self.mask.clone(), ignored })
+    }
+}
+
+/// Every scene with every method.
+struct Names<'a> {
+    id: Option<&'a str>,
+    scenes: &'a [String],
+    methods: &'a [String],
+    size: [u32; 2],
+}
+
+impl Names<'_> {
+    fn entries(
+        &self,
+        format: Format,
+        suffix: &str,
+        subject: impl Fn(Drawing) -> Subject,
+        entry: impl Fn(String, Subject) -> Result<Entry, String>,
+    ) -> Result<Vec<Entry>, String> {
+        let several = self.scenes.len() * self.methods.len() > 1;
+        if several && self.id.is_some() {
+            return Err("an `id` names one scene with one method; leave it out, or name one of each".into());
+        }
+        let mut entries = Vec::new();
+        for (scene, method) in self.scenes.iter().flat_map(|scene| self.methods.iter().map(move |method| (scene, method))) {
+            let drawing = Drawing { scene: scene.clone(), method: method.clone(), size: self.size, format };
+            let id = self.id.map_or_else(|| format!("{}{suffix}", id_of(scene, method)), ToOwned::to_owned);
+            entries.push(entry(id, subject(drawing))?);
+        }
+        Ok(entries)
+    }
+}
+
+/// `edges-smaa-mode-s2x` of `scenes/edges.toml` and `smaa:mode=s2x`.
+fn id_of(scene: &str, method: &str) -> String {
+    let stem = Path::new(scene).file_stem().map_or_else(|| scene.into(), |stem| stem.to_string_lossy());
+    let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_');
+    format!("{stem}-{method}").replace(|c: char| !plain(c), "-")
+}
+
+/// Ids are paths below the goldens on every system.
+fn check_id(id: &str) -> Result<(), String> {
+    let allowed = |c: char| c.is_alphanumeric() || matches!(c, '.' | '_' | '-' | '/' | '+' | ' ');
+    let sane = |part: &str| !part.is_empty() && !part.starts_with(['.', ' ']) && !part.ends_with(['.', ' ']) && part.len() <= 200;
+    if id.chars().all(allowed) && id.split('/').all(sane) && id.len() <= 1000 {
+        return Ok(());
+    }
+    Err(format!(
+        "'{}' is no id; write letters, digits, '.', '_', '-', '+' and blanks with '/' between parts, no part beginning with a dot",
+        id.escape_debug()
+    ))
+}
