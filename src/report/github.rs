@@ -44,7 +44,7 @@ pub fn annotations(results: &CheckResults, manifest: &str) -> Vec<String> {
         lines.push(command("notice", "likely causes", &lines_of(causes)));
     }
     if !results.unused_goldens.is_empty() {
-        let title = format!("{} goldens that no case uses", results.unused_goldens.len());
+        let title = format!("goldens that no case uses: {}", results.unused_goldens.len());
         lines.push(command("warning", &title, &lines_of(results.unused_goldens.iter().map(String::as_str))));
     }
     lines
