@@ -1,15 +1,18 @@
-//! Results shown: a table for the terminal, JSON for programs, a folder with a page for people.
+//! Results shown: a table for the terminal, JSON, JUnit XML and GitHub's annotations for programs, a folder with a page for people.
 
 mod axis;
 mod edge_part;
 mod folder;
 mod frame;
 mod frames_folder;
+mod github;
 mod head;
 mod html;
+mod junit;
 mod labels;
 mod lines;
 mod page;
+mod pair_words;
 mod patterns;
 mod placement;
 mod plot;
@@ -24,7 +27,9 @@ mod tests;
 mod words;
 
 pub use frames_folder::FramesFolder;
+pub use github::{annotations, job_summary};
 pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
+pub use junit::{check_junit, diff_junit};
 pub use lines::{LinePlot, Scale, Series};
 pub use patterns::{DETAIL_PX, Panel, Panels, SeriesPicture, SeriesReport, deviation_map, integral_csv, power_map, spectrum_svg};
 pub use sequence::{SequenceReport, Shown, strip_places};

@@ -9,6 +9,8 @@ use dejag::picture::{BitDepth, DisplayPicture};
 use serde_json::Value;
 use tempfile::TempDir;
 
+use super::{junit, schema};
+
 pub(super) struct Desk(TempDir);
 
 /// A command that has ended.
@@ -73,10 +75,54 @@ impl Desk {
         self.diff(&line.split_whitespace().collect::<Vec<_>>())
     }
 
-    /// What `--json -` prints, and the exit code.
+    /// What `--json -` prints, which must fit its schema, and the exit code.
+    #[track_caller]
     pub(super) fn json(&self, line: &str) -> (i32, Value) {
         let ran = self.line(&format!("{line} --json -"));
-        (ran.code.expect("no signal"), ran.json())
+        let json = ran.json();
+        assert_eq!(schema::validate("diff", &json), Ok(()), "{ran}");
+        (ran.code.expect("no signal"), json)
+    }
+
+    /// Holds a single pair against an outcome in every way there is to hear of it: exit code, text, JSON, and JUnit XML, which says
+    /// what the text says. Answers the pair in JSON.
+    #[track_caller]
+    pub(super) fn comes_to(&self, line: &str, outcome: &str, code: i32, words: &[&str]) -> Value {
+        let ran = self.line(&format!("{line} --verbose --junit junit.xml"));
+        ran.ended(code, words);
+        assert!(ran.stdout.starts_with(&format!("{outcome} ")), "{ran}");
+        let (json_code, json) = self.json(line);
+        let [pair] = &json["pairs"].as_array().expect("pairs")[..] else { panic!("one pair: {json}") };
+        assert_eq!((json_code, &pair["outcome"]), (code, &outcome.into()));
+        for (counted, count) in json["counts"].as_object().expect("counts") {
+            assert_eq!(count, u64::from(counted == outcome), "{counted}");
+        }
+        self.junit_says(&ran, outcome);
+        pair.clone()
+    }
+
+    /// The JUnit XML has one case, which passes, fails or errs by its outcome, in the words of the text.
+    #[track_caller]
+    fn junit_says(&self, ran: &Ran, outcome: &str) {
+        let elements = junit::read(&fs::read_to_string(self.path("junit.xml")).expect("written"));
+        let counts: [usize; 2] = match outcome {
+            "same" => [0, 0],
+            "unreadable" => [0, 1],
+            _ => [1, 0],
+        };
+        let found = ["failure", "error"].map(|name| junit::named(&elements, name));
+        assert_eq!(found.each_ref().map(Vec::len), counts, "{elements:?}");
+        let [suite] = junit::named(&elements, "testsuite")[..] else { panic!("one suite: {elements:?}") };
+        let stated = ["tests", "failures", "errors"].map(|key| suite.get(key).parse::<usize>().expect("a count"));
+        assert_eq!(stated, [1, counts[0], counts[1]]);
+        let (first, rest) = ran.stdout.split_once('\n').expect("a line");
+        let [case] = junit::named(&elements, "testcase")[..] else { panic!("one case: {elements:?}") };
+        assert_eq!(first.split_once(' ').map(|(_, name)| name.trim()), Some(case.get("name")));
+        if let Some(verdict) = found.iter().flatten().next() {
+            let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert_eq!((verdict.get("type"), joined(&verdict.text)), (outcome, joined(rest)));
+            assert!(verdict.get("message") == outcome || verdict.text.starts_with(verdict.get("message")), "{verdict:?}");
+        }
     }
 }
 

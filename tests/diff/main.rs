@@ -1,10 +1,14 @@
 //! `dejag diff` as a user runs it: exit codes, what is said where, what is written, and what bad files come to. Needs no GPU stack.
 
+mod checks;
 mod desk;
 mod files;
 mod folders;
 mod formats;
+mod github;
+mod junit;
 mod limits;
 mod outcomes;
 mod pictures;
+mod schema;
 mod scope;

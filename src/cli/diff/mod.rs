@@ -64,6 +64,9 @@ pub(super) struct Diff {
     /// Write the results as JSON; - for stdout, instead of the text
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Write the results as JUnit XML, each pair as a test case
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
     /// No progress and no words, only results and errors
     #[arg(short, long)]
     quiet: bool,
@@ -75,11 +78,14 @@ pub(super) struct Diff {
 impl Diff {
     pub(super) fn run(&self) -> anyhow::Result<ExitCode> {
         let json = self.json.as_deref().filter(|path| *path != Path::new("-"));
-        json.map_or(Ok(()), output::check_folder_of)?;
+        [json, self.junit.as_deref()].into_iter().flatten().try_for_each(output::check_folder_of)?;
         let settings = self.limits.settings(self.max_memory, check_interrupt)?;
         let results = self.compare(&settings)?;
         if let Some(path) = json {
             write_bytes_atomically(path, report::json(&results).as_bytes())?;
+        }
+        if let Some(path) = &self.junit {
+            write_bytes_atomically(path, report::diff_junit(&results).as_bytes())?;
         }
         self.show(&results)?;
         Ok(ExitCode::from(results.counts.exit_code()))

@@ -1,12 +1,13 @@
 //! What came of checking cases, for a terminal.
 
-use super::diff::{INDENT, counted, paragraph};
-use super::{Ink, TABLE_WIDTH};
-use crate::report::words::{printable, wrap};
-use crate::suite::{CheckResults, CheckedCase, DiffOutcome, DiffPair};
+use super::Ink;
+use super::diff::paragraph;
+use crate::report::pair_words::{counted, sentences};
+use crate::report::words::printable;
+use crate::suite::{CheckResults, CheckedCase, DiffOutcome};
 
-/// A paragraph for each case that is not the same, or for each with `all`. Lines keep to [`TABLE_WIDTH`] characters where no name is
-/// longer. With `color`, ANSI escapes mark what matters.
+/// A paragraph for each case that is not the same, or for each with `all`. Lines keep to [`super::TABLE_WIDTH`] characters where
+/// no name is longer. With `color`, ANSI escapes mark what matters.
 #[must_use]
 pub fn check_text(results: &CheckResults, all: bool, color: bool) -> String {
     let ink = Ink { color };
@@ -18,7 +19,7 @@ pub fn check_text(results: &CheckResults, all: bool, color: bool) -> String {
 /// How many cases came out how, in a line.
 #[must_use]
 pub fn check_summary(results: &CheckResults) -> String {
-    let mut words = counted(&results.counts);
+    let mut words = vec![counted(&results.counts)];
     if let Some(shard) = &results.shard {
         words.push(format!("shard {}/{}: {} of {} entries", shard.index, shard.count, shard.own.len(), shard.dealt.len()));
     }
@@ -31,12 +32,9 @@ pub fn check_summary(results: &CheckResults) -> String {
 }
 
 fn of_case(case: &CheckedCase, ink: &Ink) -> Vec<String> {
-    let pair = DiffPair { path: Some(case.id.clone()), ..case.pair.clone() };
-    let mut lines = paragraph(&pair, ink);
+    let mut said = sentences(&case.pair);
+    // Without a golden there is no difference that a cause could explain.
     let causes = case.likely_causes.iter().filter(|_| case.pair.outcome != DiffOutcome::New);
-    for cause in causes {
-        let text = printable(&format!("likely cause: {cause}"));
-        lines.extend(wrap(&text, TABLE_WIDTH - INDENT).into_iter().map(|line| " ".repeat(INDENT) + &line));
-    }
-    lines
+    said.extend(causes.map(|cause| format!("likely cause: {cause}")));
+    paragraph(&case.id, case.pair.outcome, &said, ink)
 }
