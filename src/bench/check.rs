@@ -73,7 +73,7 @@ impl Drawer for Darkroom {
         if let Subject::Capture(_, frame) = subject {
             scene.frame(*frame, drawing.size)?;
         }
-        let facts = format!("{program}\n{stamp:?}\n{}\n{spec}\n{subject:?}", scene.fingerprint);
+        let facts = format!("{program}\n{stamp:?}\n{:?}\n{spec}\n{subject:?}", scene.fingerprint);
         Ok(blake3::hash(facts.as_bytes()).to_hex().to_string())
     }
 

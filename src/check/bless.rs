@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Manifest;
 use super::manifest::is_named;
-use super::slot::{beside, copy, hash_of};
+use super::slot::{beside, copy, hash_of, is_below};
 use super::tolerance::glob;
 use crate::suite::{CheckResults, CheckedCase, DiffOutcome};
 use crate::{Error, Result};
@@ -36,7 +36,13 @@ pub enum Blessing {
 ///
 /// [`Error::Request`] if nothing of that name was checked or the results are of another manifest; [`Error::Io`] if a golden cannot be
 /// written.
-pub fn bless(manifest: &Manifest, results: &CheckResults, output: &Path, named: &[String], dry_run: bool) -> Result<Vec<(String, Blessing)>> {
+pub fn bless(
+    manifest: &Manifest,
+    results: &CheckResults,
+    output: &Path,
+    named: &[String],
+    dry_run: bool,
+) -> Result<Vec<(String, Blessing)>> {
     let chosen = choose(results, named)?;
     chosen.into_iter().map(|case| Ok((case.id.clone(), bless_one(manifest, case, output, dry_run)?))).collect()
 }
@@ -75,6 +81,10 @@ fn bless_one(manifest: &Manifest, case: &CheckedCase, output: &Path, dry_run: bo
     }
     if matches!(case.pair.outcome, DiffOutcome::Unreadable | DiffOutcome::Failed) {
         return refused("golden or candidate cannot be read; look at it, and remove a broken golden yourself");
+    }
+    let golden_inside = Path::new(&case.blessed_as).strip_prefix(&manifest.goldens).is_ok_and(is_below);
+    if !golden_inside || !is_below(Path::new(actual)) {
+        return refused("a path in the results leads out of its folder");
     }
     let candidate = output.join(actual);
     if hash_of(&candidate)? != *hash {

@@ -58,7 +58,9 @@ pub fn learn(manifest: &Manifest, text: &str, runs: &[CheckResults], force: bool
     let mut learned = Learned { text: String::new(), environments: Vec::new(), lessons: Vec::new(), refused: Vec::new() };
     let seen = seen(manifest, runs);
     if seen.is_empty() {
-        return Err(Error::Request("the runs have no case of this manifest; name the JSON of `dejag check` with this manifest".into()));
+        return Err(Error::Request(
+            "the runs have no case of this manifest; name the JSON of `dejag check` with this manifest".into(),
+        ));
     }
     for (pattern, seen) in seen {
         match seen.needs(manifest) {
@@ -129,7 +131,9 @@ impl Seen<'_> {
     /// Why its tolerance must not become wider, if it must not.
     fn refusal(&self, environments: usize) -> Option<String> {
         if environments < 2 {
-            return Some("it would become wider, and the runs are from one environment only; run it on another, or give --force".into());
+            return Some(
+                "it would become wider, and the runs are from one environment only; run it on another, or give --force".into(),
+            );
         }
         let failing = self.cases.iter().find(|(_, case)| case.pair.outcome != DiffOutcome::Same)?;
         Some(format!("it would become wider, and it fails on {}; mend it, or give --force", failing.0.environment.key))
@@ -167,7 +171,9 @@ impl Seen<'_> {
         let mut worst = if least { f64::INFINITY } else { 0.0 };
         for (run, case) in &self.cases {
             let knob = case.pair.knobs.iter().find(|knob| knob.option == option);
-            let at = knob.ok_or_else(|| format!("the run on {} does not say {option} of it", run.environment.key)).and_then(passing)?;
+            let at = knob
+                .ok_or_else(|| format!("the run on {} does not say {option} of it", run.environment.key))
+                .and_then(passing)?;
             worst = if least { f64::min(worst, at) } else { f64::max(worst, at) };
         }
         Ok(worst)
@@ -217,7 +223,9 @@ fn set(document: &mut DocumentMut, case: &str, key: &str, value: Value) -> Resul
     let overrides = document.entry("override").or_insert(Item::ArrayOfTables(ArrayOfTables::new()));
     let foreign = || Error::Request("write the manifest's overrides as [[override]] tables, so that one can be added".into());
     let overrides = overrides.as_array_of_tables_mut().ok_or_else(foreign)?;
-    let is_it = |table: &Table| table.get("case").and_then(Item::as_str) == Some(case) && table.len() == 2 && table.contains_key("tolerance");
+    let is_it = |table: &Table| {
+        table.get("case").and_then(Item::as_str) == Some(case) && table.len() == 2 && table.contains_key("tolerance")
+    };
     let found = overrides.iter().position(is_it);
     let index = found.unwrap_or_else(|| {
         let mut table = Table::new();

@@ -175,9 +175,8 @@ impl Manifest {
             let valid = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
             Error::at(&name, &valid, valid.len(), "it is not UTF-8 text from here on".into())
         })?;
-        let document: Document = toml::from_str(text).map_err(|error| {
-            Error::at(&name, text, error.span().map_or(0, |span| span.start), error.message().to_owned())
-        })?;
+        let document: Document = toml::from_str(text)
+            .map_err(|error| Error::at(&name, text, error.span().map_or(0, |span| span.start), error.message().to_owned()))?;
         let place = Place { name: &name, text };
         let mut entries = Vec::new();
         for capture in &document.capture {
@@ -198,7 +197,8 @@ impl Manifest {
         }
         // A golden would have to be a file and a folder at once.
         for (offset, entry) in &entries {
-            let above = entry.id.match_indices('/').map(|(at, _)| &entry.id[..at]).find(|above| ids.contains(&(*above).to_owned()));
+            let above =
+                entry.id.match_indices('/').map(|(at, _)| &entry.id[..at]).find(|above| ids.contains(&(*above).to_owned()));
             if let Some(above) = above {
                 return Err(place.error(*offset, format!("id '{}' lies below another entry's id, '{above}'", entry.id)));
             }
@@ -234,10 +234,8 @@ impl Manifest {
         if patterns.is_empty() {
             return Ok(self.entries.iter().collect());
         }
-        let globs: Vec<(&String, GlobMatcher)> = patterns
-            .iter()
-            .map(|pattern| Ok((pattern, glob(pattern).map_err(Error::Request)?)))
-            .collect::<Result<_>>()?;
+        let globs: Vec<(&String, GlobMatcher)> =
+            patterns.iter().map(|pattern| Ok((pattern, glob(pattern).map_err(Error::Request)?))).collect::<Result<_>>()?;
         for (pattern, glob) in &globs {
             if !self.entries.iter().any(|entry| is_named(glob, &entry.id)) {
                 let known: Vec<&str> = self.entries.iter().map(|entry| entry.id.as_str()).collect();
@@ -298,18 +296,24 @@ impl CaptureDocument {
     fn entries(&self, tolerance: &Tolerance) -> Result<Vec<Entry>, String> {
         let names = Names { id: self.id.as_deref(), scenes: &self.scene.0, methods: &self.method.0, size: self.size };
         let suffix = if self.frame == 0 { String::new() } else { format!("-frame-{}", self.frame) };
-        names.entries(self.format, &suffix, |drawing| Subject::Capture(drawing, self.frame), |id, subject| {
-            self.scope.entry(id, subject, tolerance.with(&self.tolerance))
-        })
+        names.entries(
+            self.format,
+            &suffix,
+            |drawing| Subject::Capture(drawing, self.frame),
+            |id, subject| self.scope.entry(id, subject, tolerance.with(&self.tolerance)),
+        )
     }
 }
 
 impl SequenceDocument {
     fn entries(&self, tolerance: &Tolerance) -> Result<Vec<Entry>, String> {
         let names = Names { id: self.id.as_deref(), scenes: &self.scene.0, methods: &self.method.0, size: self.size };
-        names.entries(self.format, "", |drawing| Subject::Sequence(drawing, self.frames.clone()), |id, subject| {
-            self.scope.entry(id, subject, tolerance.with(&self.tolerance))
-        })
+        names.entries(
+            self.format,
+            "",
+            |drawing| Subject::Sequence(drawing, self.frames.clone()),
+            |id, subject| self.scope.entry(id, subject, tolerance.with(&self.tolerance)),
+        )
     }
 }
 

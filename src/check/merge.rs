@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::shard::check_whole;
-use super::slot::copy;
+use super::slot::{copy, is_below};
 use crate::suite::{CheckResults, OutcomeCounts};
 use crate::{Error, Result};
 
@@ -15,7 +15,8 @@ use crate::{Error, Result};
 /// [`Error::Request`] if a shard is absent or there twice, or if they are not of one run.
 pub fn merge(shards: &[(PathBuf, CheckResults)]) -> Result<CheckResults> {
     let stamps = shards.iter().map(|(path, results)| {
-        let stamp = results.shard.as_ref().ok_or_else(|| format!("{} is no shard: it was run without --shard", path.display()))?;
+        let stamp =
+            results.shard.as_ref().ok_or_else(|| format!("{} is no shard: it was run without --shard", path.display()))?;
         Ok((path.to_str().unwrap_or("a file"), stamp))
     });
     let stamps: Vec<_> = stamps.collect::<Result<_, String>>().map_err(Error::Request)?;
@@ -30,7 +31,12 @@ pub fn merge(shards: &[(PathBuf, CheckResults)]) -> Result<CheckResults> {
     let order: BTreeMap<&String, usize> = stamps[0].1.dealt.iter().enumerate().map(|(i, entry)| (entry, i)).collect();
     let mut cases: Vec<_> = shards.iter().flat_map(|(_, results)| results.cases.iter().cloned()).collect();
     cases.sort_by_key(|case| order.get(&case.entry).copied());
-    Ok(CheckResults { shard: None, counts: OutcomeCounts::of(cases.iter().map(|case| case.pair.outcome)), cases, ..first.clone() })
+    Ok(CheckResults {
+        shard: None,
+        counts: OutcomeCounts::of(cases.iter().map(|case| case.pair.outcome)),
+        cases,
+        ..first.clone()
+    })
 }
 
 /// In what the runs of two shards differ, if they do. A shard that drew nothing has no driver to differ in.
@@ -55,12 +61,16 @@ pub fn folders_of(shards: &[(PathBuf, CheckResults)]) -> BTreeMap<String, PathBu
 ///
 /// # Errors
 ///
-/// [`Error::Io`]; the results themselves are left to whoever writes them.
+/// [`Error::Io`], and [`Error::Request`] for paths that lead out of a shard's folder. The results themselves are left to whoever
+/// writes them.
 pub fn gather(results: &CheckResults, folders: &BTreeMap<String, PathBuf>, output: &Path) -> Result<()> {
     for case in &results.cases {
         let Some(folder) = folders.get(&case.id) else { continue };
         let candidate = case.pair.actual.as_ref().filter(|_| case.candidate_hash.is_some());
         for file in candidate.into_iter().chain(&case.pair.pictures) {
+            if !is_below(Path::new(file)) {
+                return Err(Error::Request(format!("the results name a file outside their folder: {file}")));
+            }
             copy(&folder.join(file), &output.join(file))?;
         }
     }

@@ -6,12 +6,12 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
+use super::Manifest;
 use super::causes::likely_causes;
 use super::entry::{Drawing, Entry, Format, Subject, slashed};
 use super::environment::{ANY, chain};
 use super::journal::{Drawn, Journal};
 use super::slot::{CANDIDATE_MARK, Slot, beside, copy, hash_of, length_of, make_folder_of};
-use super::Manifest;
 use crate::compare::{Filter, Scope, Settings, Targets, list_one, wave_length};
 use crate::error::Blame;
 use crate::picture::{Loaded, Raster, texts, with_png_texts, write_bytes_atomically};
@@ -352,5 +352,7 @@ fn is_candidate(below: &Path) -> bool {
 
 fn starts_like_png(path: &Path) -> bool {
     let mut head = [0; 8];
-    fs::File::open(path).and_then(|mut file| std::io::Read::read_exact(&mut file, &mut head)).is_ok_and(|()| head == *b"\x89PNG\r\n\x1a\n")
+    fs::File::open(path)
+        .and_then(|mut file| std::io::Read::read_exact(&mut file, &mut head))
+        .is_ok_and(|()| head == *b"\x89PNG\r\n\x1a\n")
 }

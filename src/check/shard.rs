@@ -38,7 +38,12 @@ impl Shard {
     pub fn deal(self, ids: &[&str], costs: Option<&BTreeMap<String, f64>>) -> ShardStamp {
         let owners = costs.map_or_else(|| self.by_hash(ids), |costs| self.by_cost(ids, costs));
         let own = ids.iter().zip(owners).filter(|(_, owner)| *owner == self.index).map(|(id, _)| (*id).to_owned());
-        ShardStamp { index: self.index, count: self.count, own: own.collect(), dealt: ids.iter().map(|id| (*id).to_owned()).collect() }
+        ShardStamp {
+            index: self.index,
+            count: self.count,
+            own: own.collect(),
+            dealt: ids.iter().map(|id| (*id).to_owned()).collect(),
+        }
     }
 
     fn by_hash(self, ids: &[&str]) -> Vec<u32> {
@@ -83,7 +88,8 @@ pub fn check_whole(shards: &[(&str, &ShardStamp)]) -> Result<(), String> {
             return Err(format!("shard {}/{} is there twice: {twin} and {name}", shard.index, shard.count));
         }
     }
-    let absent: Vec<String> = (1..=first.count).filter(|k| !named.contains_key(k)).map(|k| format!("{k}/{}", first.count)).collect();
+    let absent: Vec<String> =
+        (1..=first.count).filter(|k| !named.contains_key(k)).map(|k| format!("{k}/{}", first.count)).collect();
     if !absent.is_empty() {
         return Err(format!("shard {} is absent; name the results of all {}", absent.join(", "), first.count));
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use super::entry::slashed;
 use super::{Manifest, chain};
@@ -97,6 +97,11 @@ fn is_absence(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory)
 }
 
+/// Whether a path that results name stays below the folder that it is relative to.
+pub(super) fn is_below(path: &Path) -> bool {
+    path.components().all(|part| matches!(part, Component::Normal(_))) && path.file_name().is_some()
+}
+
 /// `edges.candidate.png` beside `edges.png`.
 pub(super) fn beside(golden: &Path) -> PathBuf {
     let stem = golden.file_stem().unwrap_or_default();
@@ -126,7 +131,11 @@ pub(super) fn length_of(path: &Path) -> Result<u64> {
     if what.is_file() {
         return Ok(what.len());
     }
-    let why = if what.is_dir() { io::ErrorKind::IsADirectory.into() } else { io::Error::new(io::ErrorKind::InvalidInput, "it is no regular file") };
+    let why = if what.is_dir() {
+        io::ErrorKind::IsADirectory.into()
+    } else {
+        io::Error::new(io::ErrorKind::InvalidInput, "it is no regular file")
+    };
     Err(Error::io("read", path)(why))
 }
 

@@ -63,7 +63,11 @@ impl Bless {
         let folder = self.from.clone().unwrap_or_else(|| manifest.root.join(&manifest.output));
         let path = folder.join(RESULTS);
         if !path.exists() {
-            return Err(Error::Request(format!("{} is not there; run `dejag check` first, or name its folder with --from", path.display())).into());
+            return Err(Error::Request(format!(
+                "{} is not there; run `dejag check` first, or name its folder with --from",
+                path.display()
+            ))
+            .into());
         }
         let results = read_results(&path)?;
         if results.manifest != manifest.hash {

@@ -5,9 +5,11 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::check::{ReportOptions, merged_places, read_results};
+use super::check::{RESULTS, ReportOptions, merged_places, read_results};
 use crate::check::{folders_of, gather, merge};
 use crate::error::{Error, Result};
+use crate::picture::write_bytes_atomically;
+use crate::report;
 use crate::suite::CheckResults;
 
 /// Put the shards of a check together
@@ -50,6 +52,7 @@ impl Merge {
         let folders = folders_of(&shards);
         if let Some(output) = &self.output {
             gather(&results, &folders, output)?;
+            write_bytes_atomically(&output.join(RESULTS), report::json(&results).as_bytes())?;
         }
         let root = self.manifest.parent().unwrap_or(Path::new(""));
         reports.finish(&results, &self.manifest, |case| merged_places(case, root, &folders))?;

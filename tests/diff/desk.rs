@@ -59,18 +59,28 @@ impl Desk {
         names
     }
 
-    /// `dejag diff` with these arguments.
-    pub(super) fn diff<A: AsRef<OsStr>>(&self, arguments: &[A]) -> Ran {
+    /// The command, about to be run here.
+    pub(super) fn command(&self) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_dejag"));
-        command.arg("diff").args(arguments).current_dir(self.0.path()).stdin(Stdio::null()).env_remove("NO_COLOR");
-        let output = command.output().expect("it runs");
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("it speaks UTF-8");
-        let ran = Ran { code: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) };
-        assert!(!ran.stderr.contains("panicked"), "{ran}");
-        ran
+        command.current_dir(self.0.path()).stdin(Stdio::null());
+        // Whatever runs the tests, it is not the user.
+        for name in ["NO_COLOR", "GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY"] {
+            command.env_remove(name);
+        }
+        command
     }
 
-    /// The same with the words of a line as arguments.
+    /// `dejag` with the words of a line as arguments.
+    pub(super) fn dejag(&self, line: &str) -> Ran {
+        Ran::of(self.command().args(line.split_whitespace()))
+    }
+
+    /// `dejag diff` with these arguments.
+    pub(super) fn diff<A: AsRef<OsStr>>(&self, arguments: &[A]) -> Ran {
+        Ran::of(self.command().arg("diff").args(arguments))
+    }
+
+    /// `dejag diff` with the words of a line as arguments.
     pub(super) fn line(&self, line: &str) -> Ran {
         self.diff(&line.split_whitespace().collect::<Vec<_>>())
     }
@@ -127,6 +137,14 @@ impl Desk {
 }
 
 impl Ran {
+    pub(super) fn of(command: &mut Command) -> Self {
+        let output = command.output().expect("it runs");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("it speaks UTF-8");
+        let ran = Self { code: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) };
+        assert!(!ran.stderr.contains("panicked"), "{ran}");
+        ran
+    }
+
     /// Ended with this code, having said all of these on stdout or stderr.
     #[track_caller]
     pub(super) fn ended(&self, code: i32, words: &[&str]) -> &Self {

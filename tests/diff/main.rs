@@ -1,5 +1,7 @@
-//! `dejag diff` as a user runs it: exit codes, what is said where, what is written, and what bad files come to. Needs no GPU stack.
+//! `dejag diff`, `check`, `bless` and `merge` as a user runs them: exit codes, what is said where, what is written, and what bad files
+//! come to. Needs no GPU stack.
 
+mod check;
 mod checks;
 mod desk;
 mod files;

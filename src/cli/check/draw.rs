@@ -30,7 +30,12 @@ mod with_gpu {
     impl DrawOptions {
         /// Nothing if nothing of what is selected is drawn; otherwise everything of one's own makes sense. All shards of a run open a
         /// device or none does, so that they agree on the environment.
-        pub(in super::super) fn open(&self, manifest: &Manifest, selected: &[&Entry], own: &[&Entry]) -> Result<Option<AnyDrawer>> {
+        pub(in super::super) fn open(
+            &self,
+            manifest: &Manifest,
+            selected: &[&Entry],
+            own: &[&Entry],
+        ) -> Result<Option<AnyDrawer>> {
             if selected.iter().all(|entry| entry.drawing().is_none()) {
                 return Ok(None);
             }
