@@ -1,6 +1,7 @@
 //! Results shown: a table for the terminal, JSON for programs, a folder with a page for people.
 
 mod axis;
+mod check;
 mod edge_part;
 mod folder;
 mod frame;
@@ -23,6 +24,7 @@ mod terminal;
 mod tests;
 mod words;
 
+pub use check::{CasePictures, CheckReport};
 pub use frames_folder::FramesFolder;
 pub use html::{HtmlReport, MethodPictures, ReportInput, ScenePictures, write_html};
 pub use lines::{LinePlot, Scale, Series};
