@@ -1,6 +1,7 @@
 //! `dejag diff` as a user runs it: exit codes, what is said where, what is written, and what bad files come to. Needs no GPU stack.
 
 mod checks;
+mod ci;
 mod desk;
 mod files;
 mod folders;
