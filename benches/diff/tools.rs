@@ -63,14 +63,15 @@ pub(crate) fn found(options: &Options, scratch: &Path) -> (Vec<Tool>, Vec<String
 fn odiff(peers: &Path) -> Option<Tool> {
     let platforms = std::fs::read_dir(peers.join("node_modules/@odiff")).ok()?;
     let program = platforms.flatten().map(|entry| entry.path().join("odiff")).find(|path| path.is_file())?;
-    let version = said(&program, &["--version"])?;
+    // Its name stands before the version, and behind it what it is.
+    let version = said(&program, &["--version"])?.split(" - ").next()?.to_owned();
     Some(Tool { name: "odiff".into(), version, program, before: Vec::new(), after: words(&["--threshold=0"]) })
 }
 
 /// It always writes a picture of what differs.
 fn dify(peers: &Path, scratch: &Path) -> Option<Tool> {
     let program = peers.join("bin/dify");
-    let version = said(&program, &["--version"])?;
+    let version = format!("dify {}", said(&program, &["--version"])?);
     let mut before = words(&["-t", "0", "-o"]);
     before.push(scratch.join("dify.png").into());
     Some(Tool { name: "dify".into(), version, program, before, after: Vec::new() })
