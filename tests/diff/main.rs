@@ -3,6 +3,7 @@
 
 mod check;
 mod checks;
+mod ci;
 mod desk;
 mod files;
 mod folders;

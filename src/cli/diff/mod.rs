@@ -28,7 +28,7 @@ use crate::suite::{DIFF_SCHEMA_VERSION, DiffPair, DiffResults, OutcomeCounts};
 Examples:
   dejag diff expected.png actual.png
   dejag diff expected.png actual.png --max-pixels 0.1% --per-channel 2/255 --heat heat.png
-  dejag diff goldens shots --max-flip 0.01 --json results.json -o differences
+  dejag diff goldens shots --max-flip 0.01 --json results.json --junit results.xml -o differences
   dejag diff goldens shots --exclude 'wip/**' --allow-edges
   dejag diff before.exr after.exr --max-rmse 1e-4 --ignore 0,0,200,40
 
