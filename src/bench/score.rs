@@ -11,8 +11,8 @@ use crate::metrics::{self, METRICS, Pair};
 use crate::picture::{BitDepth, DisplayPicture, LinearPicture, NonFinite};
 use crate::scene::{Scene, Tick};
 use crate::suite::{
-    AnalyticDistance, MethodResult, NoiseFloor, Outcome, PassTiming, ReferenceResult, ReferenceTiming, SceneResult, Score,
-    Spread, Stamp, Timing,
+    AnalyticDistance, MethodResult, NoiseFloor, Outcome, PassTiming, ReferenceResult, ReferenceTiming, SceneResult, SceneTiming,
+    Score, Spread, Stamp, Timing,
 };
 
 /// What `dejag score` and `make demo` draw unless told otherwise.
@@ -130,6 +130,7 @@ pub fn score_scene(
     cache: &Cache,
     progress: &mut impl Progress,
 ) -> Result<SceneOutcome> {
+    let start = Instant::now();
     let mut studio = Studio::new(gpu, scene)?;
     progress.say(format!("{}: reference", scene.name));
     let (target, reference) = make_reference(&mut studio, request, cache, progress)?;
@@ -157,7 +158,9 @@ pub fn score_scene(
         pictures.push(seen);
     }
     mark_unbeaten(&mut methods);
-    let result = SceneResult { name: scene.name.clone(), about: scene.about.clone(), frame: request.frame, reference, methods };
+    let timing = SceneTiming { seconds: start.elapsed().as_secs_f64() };
+    let (name, about) = (scene.name.clone(), scene.about.clone());
+    let result = SceneResult { name, about, frame: request.frame, reference, methods, timing };
     Ok(SceneOutcome { result, reference: target.display, pictures })
 }
 

@@ -5,8 +5,9 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::check::{RESULTS, read_results};
+use super::check::RESULTS;
 use super::output;
+use super::shards::read_results;
 use crate::check::{Blessing, Learned, Manifest, bless, learn};
 use crate::error::{Error, Result};
 use crate::picture::write_bytes_atomically;
@@ -69,7 +70,7 @@ impl Bless {
             ))
             .into());
         }
-        let results = read_results(&path)?;
+        let results: CheckResults = read_results(&path)?;
         if results.manifest != manifest.hash {
             self.say("the manifest has changed since the check; its cases are taken as they were checked");
         }

@@ -6,9 +6,11 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::output;
+use crate::check::environment;
 use crate::error::{Error, Result};
 use crate::gpu::{AdapterChoice, Gpu};
 use crate::methods::{METHODS, Spec};
+use crate::suite::Stamp;
 
 /// Say which adapters answer, what they can do, and which methods run on the chosen one
 #[derive(Debug, Args)]
@@ -36,6 +38,7 @@ fn examination(gpu: &Gpu) -> Result<String> {
         line(format!("  {}", crate::gpu::Card::of(&adapter.get_info())))?;
     }
     line(format!("chosen: {}", gpu.card))?;
+    line(format!("  goldens: {}", environment(None, Some(Stamp::from(&gpu.card))).key))?;
     let counts: Vec<String> = gpu.sample_counts().iter().map(u32::to_string).collect();
     line(format!("  samples a pixel: {}", counts.join(", ")))?;
     let limits = gpu.device.limits();

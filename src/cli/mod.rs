@@ -6,6 +6,7 @@ mod completions;
 mod diff;
 mod merge;
 mod output;
+mod shards;
 mod watch;
 
 // The verbs that need the whole workbench.

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use anyhow::Context as _;
 use clap::Args;
 
+use super::shards::{Costs, ShardOptions, is_idle, is_own};
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
 use crate::bench::{
@@ -19,7 +20,7 @@ use crate::methods::Spec;
 use crate::picture::write_bytes_atomically;
 use crate::report::{self, HtmlReport, MethodPictures};
 use crate::scene::{SHIPPED, Scene};
-use crate::suite::{Outcome, Results, SCHEMA_VERSION, Stamp};
+use crate::suite::{Outcome, Results, SCHEMA_VERSION, ShardStamp, Stamp};
 
 /// Capture scenes with methods, time them, and score them against a reference
 #[derive(Debug, Args)]
@@ -29,6 +30,7 @@ Examples:
   dejag score edges checker -m none -m ssaa:spp=16 -m ssaa:spp=16,pattern=rotated
   dejag score wires --reference analytic -m msaa -m msaa:resolve=gaussian
   dejag score all --size 320x180 --report report --json results.json
+  dejag score all --shard 1/4 --report part-1
 
 A star marks the methods that no other beats in time and error (mean FLIP). Against a reference under the box \
 filter any other filter's softness counts as error: give --reference the same filter to compare within it. On two \
@@ -58,6 +60,8 @@ pub(super) struct Score {
     /// Write a report with pictures and plots into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
+    #[command(flatten)]
+    shards: ShardOptions,
     /// Draw every reference anew and keep none
     #[arg(long)]
     no_cache: bool,
@@ -72,12 +76,15 @@ impl Score {
         if let Some(json) = json {
             output::check_folder_of(json)?;
         }
-        let scenes: Vec<Scene> = self.names().iter().map(|name| load(name, self.drawing.quiet)).collect::<Result<_, _>>()?;
+        let names = self.names();
+        let shard = self.shards.deal::<Results>(&names.iter().map(String::as_str).collect::<Vec<_>>())?;
+        let own = names.iter().filter(|name| is_own(shard.as_ref(), name));
+        let scenes: Vec<Scene> = own.map(|name| load(name, self.drawing.quiet)).collect::<Result<_, _>>()?;
         let mut report = self.report.as_deref().map(HtmlReport::begin).transpose()?;
         let gpu = self.drawing.open()?;
         gpu.check_size(self.size)?;
         self.check(&scenes, &request)?;
-        let results = self.score(&gpu, &scenes, &request, report.as_mut())?;
+        let results = self.score(&gpu, &scenes, &request, shard, report.as_mut())?;
 
         if let Some(report) = report {
             report.finish(&results)?;
@@ -86,7 +93,7 @@ impl Score {
             write_bytes_atomically(path, report::json(&results).as_bytes())?;
         }
         self.show(&results)?;
-        if compared(&results) == 0 {
+        if compared(&results) == 0 && !is_idle(results.shard.as_ref()) {
             let card = &gpu.card.name;
             output::say(&format!(
                 "error: nothing was compared: none of the methods runs on {card}; the results say why, `dejag doctor` what it has"
@@ -147,6 +154,7 @@ impl Score {
         gpu: &Gpu,
         scenes: &[Scene],
         request: &Request,
+        shard: Option<ShardStamp>,
         mut report: Option<&mut HtmlReport>,
     ) -> anyhow::Result<Results> {
         let cache = if self.no_cache { Cache::none() } else { Cache::of_user() };
@@ -159,6 +167,7 @@ impl Score {
             stamp: Stamp::from(&gpu.card),
             command: self.command(request),
             size: request.size,
+            shard,
             scenes: Vec::new(),
             edges: None,
         };
@@ -177,8 +186,11 @@ impl Score {
             }
             results.scenes.push(outcome.result);
         }
-        bar.say("straight edges".into());
-        results.edges = edge_errors(gpu, &request.methods, &mut bar)?;
+        // They belong to no scene: the first part has them.
+        if results.shard.as_ref().is_none_or(|shard| shard.index == 1) {
+            bar.say("straight edges".into());
+            results.edges = edge_errors(gpu, &request.methods, &mut bar)?;
+        }
         bar.finish();
         Ok(results)
     }
@@ -224,6 +236,12 @@ fn add_pictures(report: &mut HtmlReport, outcome: &SceneOutcome) -> Result<(), E
         }
     }
     Ok(())
+}
+
+impl Costs for Results {
+    fn costs(&self) -> Vec<(String, f64)> {
+        self.scenes.iter().map(|scene| (scene.name.clone(), scene.timing.seconds)).collect()
+    }
 }
 
 impl Progress for Bar {

@@ -3,8 +3,8 @@
 use super::folder::{self, Staging};
 use super::labels::Labels;
 use super::{json, page};
-use crate::picture::{BitDepth, DisplayPicture, write_bytes_atomically};
-use crate::suite::Results;
+use crate::picture::{BitDepth, DisplayPicture, load, write_bytes_atomically};
+use crate::suite::{Outcome, Results};
 use crate::{Error, Result};
 use std::path::Path;
 
@@ -114,7 +114,7 @@ impl HtmlReport {
     ///
     /// [`Error::Io`] if the picture cannot be written.
     pub fn add_scene(&mut self, name: &str, reference: &DisplayPicture) -> Result<()> {
-        let file = format!("pictures/{:02}-{}-reference.png", self.scenes.len() + 1, slug(name));
+        let file = reference_file(self.scenes.len() + 1, name);
         self.save(&file, reference)?;
         self.scenes.push(SceneFiles { name: name.into(), reference: file, methods: Vec::new() });
         Ok(())
@@ -130,14 +130,33 @@ impl HtmlReport {
         let Some(scene) = self.scenes.last() else {
             return Err(Error::Request("a report needs a scene before a method".into()));
         };
-        let stem = format!("pictures/{number:02}-{}-{:02}-{}", slug(&scene.name), scene.methods.len() + 1, slug(spec));
-        let files =
-            MethodFiles { capture: format!("{stem}.png"), error_map: pictures.error_map.map(|_| format!("{stem}-error.png")) };
+        let [capture, error_map] = method_files((number, &scene.name), (scene.methods.len() + 1, spec));
+        let files = MethodFiles { capture, error_map: pictures.error_map.map(|_| error_map) };
         self.save(&files.capture, pictures.capture)?;
         if let (Some(file), Some(map)) = (&files.error_map, pictures.error_map) {
             self.save(file, map)?;
         }
         self.scenes[number - 1].methods.push((spec.into(), files));
+        Ok(())
+    }
+
+    /// Adds the next scene with the pictures that another report, of `results` in `folder`, has of its scene at `place`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Io`] and [`Error::Format`] if its pictures are not there, or cannot be written.
+    pub fn take_over(&mut self, results: &Results, folder: &Path, place: usize) -> Result<()> {
+        let scene = &results.scenes[place];
+        let read = |file: &str| Ok::<_, Error>(load(&folder.join(file))?.into_display());
+        self.add_scene(&scene.name, &read(&reference_file(place + 1, &scene.name))?)?;
+        let scored = scene.methods.iter().filter(|method| matches!(method.outcome, Outcome::Scored { .. }));
+        for (k, method) in scored.enumerate() {
+            let [capture, error_map] = method_files((place + 1, &scene.name), (k + 1, &method.spec));
+            let capture = read(&capture)?;
+            // Where there is no number there is no map.
+            let error_map = folder.join(&error_map).is_file().then(|| read(&error_map)).transpose()?;
+            self.add_method(&method.spec, MethodPictures { capture: &capture, error_map: error_map.as_ref() })?;
+        }
         Ok(())
     }
 
@@ -159,6 +178,17 @@ impl HtmlReport {
     fn save(&self, file: &str, picture: &DisplayPicture) -> Result<()> {
         picture.save_png(&self.staging.path().join(file), BitDepth::Eight, &[])
     }
+}
+
+/// The file of a scene's reference, relative to the page; scenes are counted from 1.
+fn reference_file(number: usize, scene: &str) -> String {
+    format!("pictures/{number:02}-{}-reference.png", slug(scene))
+}
+
+/// The files of a method's capture and error map, relative to the page; both are counted from 1.
+fn method_files((number, scene): (usize, &str), (method, spec): (usize, &str)) -> [String; 2] {
+    let stem = format!("pictures/{number:02}-{}-{method:02}-{}", slug(scene), slug(spec));
+    [format!("{stem}.png"), format!("{stem}-error.png")]
 }
 
 /// A name as part of a file's name on any system: lower-case letters, digits and hyphens.

@@ -35,7 +35,10 @@ pub use junit::{check_junit, diff_junit};
 pub use lines::{LinePlot, Scale, Series};
 pub use patterns::{DETAIL_PX, Panel, Panels, SeriesPicture, SeriesReport, deviation_map, integral_csv, power_map, spectrum_svg};
 pub use sequence::{SequenceReport, Shown, strip_places};
-pub use terminal::{TABLE_WIDTH, check_summary, check_text, diff_summary, diff_text, integral_table, pattern_table, sequence_table, spectrum_table, table};
+pub use terminal::{
+    TABLE_WIDTH, check_summary, check_text, diff_summary, diff_text, integral_table, pattern_table, sequence_table,
+    spectrum_table, table,
+};
 
 use serde::Serialize;
 

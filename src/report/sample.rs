@@ -24,6 +24,7 @@ pub(super) fn results(methods: usize) -> Results {
             timing: ReferenceTiming { seconds: 12.0, cached: false },
         },
         methods: (0..methods).map(|i| method(i, slower)).collect(),
+        timing: SceneTiming { seconds: 20.0 * slower },
     };
     Results {
         schema_version: SCHEMA_VERSION,
@@ -37,6 +38,7 @@ pub(super) fn results(methods: usize) -> Results {
         },
         command: ["score", "edges", "fence", "-m", "none", "--size", "160x90"].map(String::from).to_vec(),
         size: SIZE,
+        shard: None,
         scenes: vec![scene("edges", 1.0), scene("fence", 2.5)],
         edges: None,
     }
@@ -119,7 +121,7 @@ pub(super) fn sequence() -> SequenceResults {
         methods: vec![sequence_method("none", probes()), sequence_method("smaa", ProbeFigures::default())],
     };
     let Results { schema_version, stamp, .. } = results(1);
-    SequenceResults { schema_version, stamp, command: ["sequence", "pan"].map(String::from).to_vec(), result }
+    SequenceResults { schema_version, stamp, command: ["sequence", "pan"].map(String::from).to_vec(), shard: None, result }
 }
 
 fn sequence_method(spec: &str, probes: ProbeFigures) -> SequenceMethod {

@@ -5,7 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::EdgeErrors;
+use super::{EdgeErrors, ShardStamp};
 use crate::metrics::Figure;
 use crate::picture::NonFinite;
 
@@ -23,6 +23,9 @@ pub struct Results {
     pub command: Vec<String>,
     /// Width and height in pixels.
     pub size: [u32; 2],
+    /// Which part of the run this is; absent of a whole one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<ShardStamp>,
     /// One entry a scene, in the order asked for.
     pub scenes: Vec<SceneResult>,
     /// Filters on straight edges; absent if the run has no filter that takes a picture.
@@ -60,6 +63,16 @@ pub struct SceneResult {
     pub reference: ReferenceResult,
     /// One entry a method, in the order asked for.
     pub methods: Vec<MethodResult>,
+    /// Depends on the clock.
+    #[serde(default)]
+    pub timing: SceneTiming,
+}
+
+/// How long a scene took.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct SceneTiming {
+    /// Seconds for its reference and all methods.
+    pub seconds: f64,
 }
 
 /// The reference and its own error.

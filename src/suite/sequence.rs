@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{NoiseFloor, ProbeFigures, Spread, Stamp};
+use super::{NoiseFloor, ProbeFigures, ShardStamp, Spread, Stamp};
 use crate::metrics::Figure;
 
 /// Version of the JSON's shape; it rises when a key changes its meaning or goes away.
@@ -19,6 +19,9 @@ pub struct SequenceResults {
     pub stamp: Stamp,
     /// The command line that makes this run again, without the name of the program.
     pub command: Vec<String>,
+    /// Which part of the run this is; absent of a whole one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<ShardStamp>,
     /// The sequence and how each method did.
     #[serde(flatten)]
     pub result: SequenceResult,

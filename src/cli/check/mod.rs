@@ -14,12 +14,13 @@ use clap::Args;
 use self::draw::DrawOptions;
 use super::diff::parse_bytes;
 use super::output;
+use super::shards::{Costs, ShardOptions, is_idle, is_own, read_results};
 use super::watch::{Bar, check_interrupt};
-use crate::check::{Entry, Journal, Manifest, Run, Shard};
-use crate::error::{Error, Result};
+use crate::check::{Entry, Journal, Manifest, Run};
+use crate::error::Result;
 use crate::picture::write_bytes_atomically;
 use crate::report::{self, CasePictures, CheckReport};
-use crate::suite::{CHECK_SCHEMA_VERSION, CheckResults, CheckedCase, OutcomeCounts, ShardStamp};
+use crate::suite::{CHECK_SCHEMA_VERSION, CheckResults, CheckedCase, OutcomeCounts, Shard, ShardStamp};
 
 /// The results' name in the output folder, where `bless` finds them.
 pub(super) const RESULTS: &str = "check.json";
@@ -54,12 +55,8 @@ pub(super) struct Check {
     /// Where candidates, pictures of differences and results go [default: the manifest's, dejag-check beside it if it names none]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Run the Kth of N parts only; `dejag merge` puts them together
-    #[arg(long, value_name = "K/N")]
-    shard: Option<Shard>,
-    /// Results of an earlier run, by whose times shards are levelled; the same for all of them
-    #[arg(long, value_name = "FILE", requires = "shard")]
-    costs: Option<PathBuf>,
+    #[command(flatten)]
+    shards: ShardOptions,
     /// Go on with an interrupted run: what was drawn by the same program from the same scenes is not drawn again
     #[arg(long)]
     resume: bool,
@@ -89,16 +86,16 @@ pub(super) struct Check {
 pub(super) struct ReportOptions {
     /// Write the results as JSON too; - for stdout, instead of the text
     #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    pub(super) json: Option<PathBuf>,
     /// Write the results as JUnit XML
     #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
+    pub(super) junit: Option<PathBuf>,
     /// Write a report with pictures into this folder
     #[arg(long, value_name = "DIR")]
-    report: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
     /// Results of an earlier run, for the report's curves; give it again for more, the oldest first
     #[arg(long, value_name = "FILE", requires = "report")]
-    history: Vec<PathBuf>,
+    pub(super) history: Vec<PathBuf>,
 }
 
 impl Check {
@@ -111,7 +108,8 @@ impl Check {
             return Ok(ExitCode::SUCCESS);
         }
         let reports = self.reports.begin()?;
-        let shard = self.deal(&selected)?;
+        let ids: Vec<&str> = selected.iter().map(|entry| entry.id.as_str()).collect();
+        let shard = self.shards.deal::<CheckResults>(&ids)?;
         let output = self.output_folder(&manifest);
         let results = self.check(&manifest, &selected, shard, &output)?;
         write_bytes_atomically(&output.join(RESULTS), report::json(&results).as_bytes())?;
@@ -123,24 +121,10 @@ impl Check {
     /// Shards of one run must not write over each other.
     fn output_folder(&self, manifest: &Manifest) -> PathBuf {
         let folder = || manifest.root.join(&manifest.output);
-        self.output.clone().unwrap_or_else(|| match self.shard {
+        self.output.clone().unwrap_or_else(|| match self.shards.shard {
             Some(Shard { index, count }) => folder().join(format!("shard-{index}-of-{count}")),
             None => folder(),
         })
-    }
-
-    fn deal(&self, selected: &[&Entry]) -> Result<Option<ShardStamp>> {
-        let Some(shard) = self.shard else { return Ok(None) };
-        let earlier = self.costs.as_deref().map(read_results).transpose()?;
-        let costs = earlier.map(|earlier| {
-            let mut costs = BTreeMap::new();
-            for case in earlier.cases {
-                *costs.entry(case.entry).or_insert(0.0) += case.timing.seconds;
-            }
-            costs
-        });
-        let ids: Vec<&str> = selected.iter().map(|entry| entry.id.as_str()).collect();
-        Ok(Some(shard.deal(&ids, costs.as_ref())))
     }
 
     fn check(
@@ -150,8 +134,7 @@ impl Check {
         shard: Option<ShardStamp>,
         output: &Path,
     ) -> anyhow::Result<CheckResults> {
-        let own = |entry: &&Entry| shard.as_ref().is_none_or(|shard| shard.own.contains(&entry.id));
-        let entries: Vec<&Entry> = selected.iter().copied().filter(own).collect();
+        let entries: Vec<&Entry> = selected.iter().copied().filter(|entry| is_own(shard.as_ref(), &entry.id)).collect();
         let mut drawer = self.draw.open(manifest, selected, &entries)?;
         let stamp = drawer.as_ref().map(draw::AnyDrawer::stamp);
         let environment = crate::check::environment(self.environment.as_deref(), stamp);
@@ -210,14 +193,10 @@ pub(super) fn merged_places(case: &CheckedCase, root: &Path, folders: &BTreeMap<
     folders.get(&case.id).map_or_else(CasePictures::default, |folder| places(case, root, folder))
 }
 
-/// Results that an earlier run wrote.
-pub(super) fn read_results(path: &Path) -> Result<CheckResults> {
-    let bytes = std::fs::read(path).map_err(Error::io("read", path))?;
-    serde_json::from_slice(&bytes).map_err(|error| Error::Format {
-        path: path.to_path_buf(),
-        expected: "result of `dejag check`",
-        message: error.to_string(),
-    })
+impl Costs for CheckResults {
+    fn costs(&self) -> Vec<(String, f64)> {
+        self.cases.iter().map(|case| (case.entry.clone(), case.timing.seconds)).collect()
+    }
 }
 
 /// Reports that are begun, so that what is in their way is found out before the work.
@@ -271,8 +250,7 @@ impl ReportOptions {
 
 /// A shard that was dealt nothing has done all that was asked of it.
 fn exit_code(results: &CheckResults) -> u8 {
-    let idle = results.shard.as_ref().is_some_and(|shard| shard.own.is_empty());
-    if idle { 0 } else { results.counts.exit_code() }
+    if is_idle(results.shard.as_ref()) { 0 } else { results.counts.exit_code() }
 }
 
 impl Reports<'_> {

@@ -13,6 +13,7 @@ use clap::Args;
 
 use self::bars::Bars;
 use self::pictures::{PictureOptions, Pictures, Showing};
+use super::shards::{Costs, ShardOptions, is_idle, is_own};
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
 use crate::bench::sequence::{Contestant, Course, Probe, SEQUENCE_REFERENCE, SequenceRequest, misses, run_sequence};
@@ -23,7 +24,7 @@ use crate::methods::Spec;
 use crate::picture::write_bytes_atomically;
 use crate::report;
 use crate::scene::Scene;
-use crate::suite::{SEQUENCE_SCHEMA_VERSION, SequenceOutcome, SequenceResults, Stamp};
+use crate::suite::{SEQUENCE_SCHEMA_VERSION, SequenceMethod, SequenceOutcome, SequenceResult, SequenceResults, Stamp};
 
 /// Draw a sequence with methods and measure it: error, flicker, ghosts, thin lines, light
 #[derive(Debug, Args)]
@@ -79,6 +80,8 @@ pub(super) struct Sequence {
     /// Write the results as JSON; - for stdout, instead of the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    #[command(flatten)]
+    shards: ShardOptions,
     /// Draw every reference anew and keep none
     #[arg(long)]
     no_cache: bool,
@@ -92,7 +95,11 @@ pub(super) struct Sequence {
 
 impl Sequence {
     pub(super) fn run(&self) -> anyhow::Result<ExitCode> {
-        let specs = self.specs()?;
+        let all = self.specs()?;
+        let names: Vec<String> = all.iter().map(ToString::to_string).collect();
+        let shard = self.shards.deal::<SequenceResults>(&names.iter().map(String::as_str).collect::<Vec<_>>())?;
+        let specs: Vec<&Spec> =
+            all.iter().zip(&names).filter(|(_, name)| is_own(shard.as_ref(), name)).map(|(spec, _)| spec).collect();
         let json = self.json.as_deref().filter(|path| *path != Path::new("-"));
         if let Some(json) = json {
             output::check_folder_of(json)?;
@@ -106,14 +113,17 @@ impl Sequence {
         let mut pictures = self.pictures.begin(&Showing { methods: &methods, size: self.size, frames, frame_s })?;
         let gpu = self.drawing.open()?;
         gpu.check_size(self.size)?;
-        let results = self.measure(&gpu, &scene, &request, &specs, &mut pictures)?;
+        let command = self.command(&request, &all);
+        let result = self.measure(&gpu, &scene, &request, &specs, &mut pictures)?;
+        let stamp = Stamp::from(&gpu.card);
+        let results = SequenceResults { schema_version: SEQUENCE_SCHEMA_VERSION, stamp, command, shard, result };
         pictures.finish(&results)?;
         if let Some(path) = json {
             write_bytes_atomically(path, report::json(&results).as_bytes())?;
         }
         self.show(&results)?;
         let measured = results.result.methods.iter().any(|m| matches!(m.outcome, SequenceOutcome::Measured(_)));
-        if !measured {
+        if !measured && !is_idle(results.shard.as_ref()) {
             let card = &gpu.card.name;
             output::say(&format!(
                 "error: nothing was measured: none of the methods runs on {card}; the results say why, `dejag doctor` what it has"
@@ -169,14 +179,14 @@ impl Sequence {
         gpu: &Gpu,
         scene: &Scene,
         request: &SequenceRequest,
-        specs: &[Spec],
+        specs: &[&Spec],
         pictures: &mut Pictures,
-    ) -> anyhow::Result<SequenceResults> {
+    ) -> anyhow::Result<SequenceResult> {
         let cache = if self.no_cache { Cache::none() } else { Cache::of_user() };
         if let (true, Some(folder)) = (self.drawing.verbose, cache.folder()) {
             output::say(&format!("cache: {}", folder.display()));
         }
-        let contestants: Vec<Contestant<'_>> = specs.iter().map(Contestant::of).collect();
+        let contestants: Vec<Contestant<'_>> = specs.iter().map(|spec| Contestant::of(spec)).collect();
         let mut bar = Bar::new(request.work(scene, &contestants)?, self.drawing.quiet);
         let result = run_sequence(gpu, scene, request, &contestants, &cache, &mut bar, pictures)?;
         check_interrupt()?;
@@ -187,8 +197,7 @@ impl Sequence {
             ));
         }
         bar.finish();
-        let command = self.command(request, specs);
-        Ok(SequenceResults { schema_version: SEQUENCE_SCHEMA_VERSION, stamp: Stamp::from(&gpu.card), command, result })
+        Ok(result)
     }
 
     /// The command line that makes this run again, defaults written out.
@@ -219,6 +228,17 @@ impl Sequence {
         }
         let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         output::print(&report::sequence_table(results, std::io::stdout().is_terminal() && !no_color))
+    }
+}
+
+impl Costs for SequenceResults {
+    /// By the time of a frame, of which all methods have as many.
+    fn costs(&self) -> Vec<(String, f64)> {
+        let measured = |method: &SequenceMethod| match &method.outcome {
+            SequenceOutcome::Measured(figures) => Some((method.spec.clone(), figures.timing.frame_ms.median)),
+            SequenceOutcome::Failed { .. } => None,
+        };
+        self.result.methods.iter().filter_map(measured).collect()
     }
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use super::folder::{REPORT, Staging};
 use super::json;
-use crate::picture::{BitDepth, DisplayPicture, write_bytes_atomically};
+use crate::picture::{BitDepth, DisplayPicture, load, write_bytes_atomically};
 use crate::suite::SequenceResults;
 use crate::{Error, Result};
 
@@ -48,6 +48,17 @@ struct StripPicture {
     file: String,
 }
 
+impl Shown {
+    /// Relative to the page.
+    fn file(self, place: usize) -> String {
+        match self {
+            Self::Reference => format!("pictures/{place:05}-reference.png"),
+            Self::Capture(method) => format!("pictures/{place:05}-{method:02}.png"),
+            Self::ErrorMap(method) => format!("pictures/{place:05}-{method:02}-error.png"),
+        }
+    }
+}
+
 impl SequenceReport {
     /// Begins a report that is to become the folder `dir`. Nothing is seen there until [`Self::finish`].
     ///
@@ -65,13 +76,30 @@ impl SequenceReport {
     /// # Errors
     /// [`Error::Io`] if it cannot be written.
     pub fn add(&mut self, place: usize, shown: Shown, picture: &DisplayPicture) -> Result<()> {
-        let file = match shown {
-            Shown::Reference => format!("pictures/{place:05}-reference.png"),
-            Shown::Capture(method) => format!("pictures/{place:05}-{method:02}.png"),
-            Shown::ErrorMap(method) => format!("pictures/{place:05}-{method:02}-error.png"),
-        };
+        let file = shown.file(place);
         picture.save_png(&self.staging.path().join(&file), BitDepth::Eight, &[])?;
         self.strip.push(StripPicture { place, shown, file });
+        Ok(())
+    }
+
+    /// Adds the pictures that another report, in `folder`, has of some of the methods: of each its place there and its place here.
+    /// Those that could not run have none.
+    ///
+    /// # Errors
+    /// [`Error::Io`] and [`Error::Format`] if its pictures are not there, or cannot be written.
+    pub fn take_over(&mut self, frames: usize, folder: &Path, methods: &[(usize, usize)]) -> Result<()> {
+        for place in strip_places(frames) {
+            let read = |shown: Shown| Ok::<_, Error>(load(&folder.join(shown.file(place)))?.into_display());
+            if !self.strip.iter().any(|picture| (picture.place, picture.shown) == (place, Shown::Reference)) {
+                self.add(place, Shown::Reference, &read(Shown::Reference)?)?;
+            }
+            for &(there, here) in methods {
+                if folder.join(Shown::Capture(there).file(place)).is_file() {
+                    self.add(place, Shown::Capture(here), &read(Shown::Capture(there))?)?;
+                    self.add(place, Shown::ErrorMap(here), &read(Shown::ErrorMap(there))?)?;
+                }
+            }
+        }
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::str::FromStr;
 
-use crate::suite::ShardStamp;
+use super::ShardStamp;
 
 /// Which part, and of how many.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
