@@ -4,6 +4,7 @@ const byId = (id) => document.getElementById(id);
 const VIEWS = ["side", "slider", "flip", "blink", "difference", "heat"];
 // Two changes a second: far from what harms anybody.
 const BLINK_MS = 500;
+const HOW_TO_MOVE = "; arrow keys move the picture, plus and minus zoom";
 
 class Viewer {
   constructor() {
@@ -68,8 +69,10 @@ class Viewer {
     draw(byId("expected"), expected);
     draw(byId("actual"), actual);
     const size = (key) => Math.max(...this.pictures.map((picture) => (picture ? picture[key] : 1)));
+    const [width, height] = [size("width"), size("height")];
+    if (expected || actual) { this.panes.style.setProperty("--aspect", width + " / " + height); }
     this.setView(this.view);
-    this.sight.look([size("width"), size("height")]);
+    this.sight.look([width, height]);
   }
 
   setView(view) {
@@ -117,6 +120,8 @@ class Viewer {
     const [one, two] = this.panes.querySelectorAll("figcaption");
     one.textContent = captions[this.view];
     two.textContent = actual;
+    byId("one").setAttribute("aria-label", captions[this.view] + HOW_TO_MOVE);
+    byId("two").setAttribute("aria-label", actual + HOW_TO_MOVE);
   }
 
   flip() {
