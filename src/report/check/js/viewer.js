@@ -60,7 +60,8 @@ class Viewer {
     byId("facts").replaceChildren(...known);
     byId("values").textContent = "";
     this.dialog.querySelector("[data-zoom=worst]").disabled = !row.dataset.worst;
-    byId("said").textContent = "Case " + place + " of " + total + ": " + byId("name").textContent + ", " + word.textContent;
+    const where = place > 0 ? "Case " + place + " of " + total : "A case that is filtered out";
+    byId("said").textContent = where + ": " + byId("name").textContent + ", " + word.textContent;
   }
 
   setPictures(expected, actual) {
