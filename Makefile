@@ -10,5 +10,5 @@ demo:
 
 # Every test. DEJAG_TEST_ADAPTER=software (the default) or auto.
 test:
-	@.ci/setup $(if $(filter auto,$(DEJAG_TEST_ADAPTER)),any,software)
+	@.ci/setup $(if $(filter auto,$(DEJAG_TEST_ADAPTER)),any,software) browser
 	@.ci/test

@@ -42,7 +42,20 @@ fn paper_has_the_failing_cases_with_their_facts_on_white() {
     {
         assert_eq!(display(&mut page, selector), shown, "{selector}");
     }
+    page.shoot("paper");
     page.print("paper");
+    page.must_be_content();
+}
+
+#[test]
+fn without_scripts_every_case_has_its_facts_in_place() {
+    let sample = Sample::write(mixed(), &earlier());
+    let Some(mut page) = chromium::start() else { return };
+    page.call("Emulation.setScriptExecutionDisabled", serde_json::json!({ "value": true }));
+    page.open(&sample.page(), "");
+    assert_eq!(display(&mut page, "#controls"), "none");
+    assert_eq!(display(&mut page, ".facts-of"), "block");
+    assert!(page.ask("document.querySelector('.case img').naturalWidth").as_u64() > Some(0));
     page.must_be_content();
 }
 
@@ -71,7 +84,7 @@ fn every_view_fills_its_window() {
     for (number, view) in (1..).zip(VIEWS) {
         page.key(&number.to_string());
         page.wait(&format!(
-            "document.getElementById('panes').dataset.view === '{view}' && document.getElementById('one').clientHeight > 300"
+            "document.getElementById('panes').dataset.view === '{view}' && document.getElementById('one').clientHeight > 200"
         ));
         page.ask("new Promise((done) => setTimeout(() => done(true), 100))");
         page.shoot(&format!("view-{number}-{view}"));

@@ -24,21 +24,30 @@ pub(super) struct Sample {
 impl Sample {
     /// Of these cases, after these runs.
     pub(super) fn write(cases: Vec<CheckedCase>, history: &[CheckResults]) -> Self {
-        let sample = Self { home: tempfile::tempdir().expect("a folder") };
+        let sample = Self::without_report();
         for (name, edge) in [("expected", 150.0), ("actual", 151.5), ("heat", 150.0)] {
             picture(edge, name == "heat").save_png(&sample.path(name), BitDepth::Eight, &[]).expect("written");
         }
-        let pictures = |case: &CheckedCase| CasePictures {
-            expected: case.pair.expected.is_some().then(|| sample.path("expected")),
-            actual: case.pair.actual.is_some().then(|| sample.path(if is_same(case) { "expected" } else { "actual" })),
-            heat: (!case.pair.pictures.is_empty()).then(|| sample.path("heat")),
-        };
-        let report = CheckReport::begin(&sample.home.path().join("report")).expect("begun");
-        report.finish(&results(cases), history, pictures, &mut |_| Ok(())).expect("finished");
+        sample.report(cases, history);
         sample
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub(super) fn without_report() -> Self {
+        Self { home: tempfile::tempdir().expect("a folder") }
+    }
+
+    /// Of the pictures that lie in the folder.
+    pub(super) fn report(&self, cases: Vec<CheckedCase>, history: &[CheckResults]) {
+        let pictures = |case: &CheckedCase| CasePictures {
+            expected: case.pair.expected.is_some().then(|| self.path("expected")),
+            actual: case.pair.actual.is_some().then(|| self.path(if is_same(case) { "expected" } else { "actual" })),
+            heat: (!case.pair.pictures.is_empty()).then(|| self.path("heat")),
+        };
+        let report = CheckReport::begin(&self.home.path().join("report")).expect("begun");
+        report.finish(&results(cases), history, pictures, &mut |_| Ok(())).expect("finished");
+    }
+
+    pub(super) fn path(&self, name: &str) -> PathBuf {
         self.home.path().join(name).with_extension("png")
     }
 
@@ -102,7 +111,7 @@ pub(super) fn case(id: &str, outcome: DiffOutcome) -> CheckedCase {
     if differs || outcome == DiffOutcome::Same {
         pair.sizes = Some([SIZE; 2]);
         pair.pixels = Some(FIGURES[usize::from(differs)].clone());
-        pair.knobs = vec![knob("--max-pixels", "differing-pixels/1", if differs { 312.0 } else { 0.0 }, 100.0)];
+        pair.knobs = vec![knob("--max-pixels", "differing-pixels/1", FIGURES[usize::from(differs)].differing as f64, 100.0)];
         pair.knobs.push(knob("--max-flip", "flip-ldr/1.7@67.0206", if differs { 0.0123 } else { 0.0 }, 0.01));
     }
     if differs {

@@ -1,9 +1,11 @@
 //! An opened case: what its views show, and whether the numbers are right.
 
+use dejag::picture::{BitDepth, DisplayPicture};
+use dejag::suite::DiffOutcome;
 use serde_json::Value;
 
 use super::chromium::{self, Page};
-use super::sample::{SIZE, Sample, earlier, mixed, picture};
+use super::sample::{SIZE, Sample, case, earlier, mixed, picture};
 
 fn opened(sample: &Sample, fragment: &str) -> Option<Page> {
     let mut page = chromium::start()?;
@@ -128,19 +130,56 @@ fn the_values_under_the_pointer_are_those_of_the_files() {
     assert_eq!(page.text(said), words([worst[0] + 1, worst[1]]));
     assert_eq!(page.text("document.getElementById('said').textContent"), words([worst[0] + 1, worst[1]]));
     let crosses = page.ask("Array.from(document.querySelectorAll('.cross'), (cross) => cross.getBoundingClientRect().width)");
-    assert_eq!(crosses, Value::from(vec![18, 18]), "16 screen pixels a pixel, and the outline's box");
+    assert_eq!(crosses, Value::from(vec![16, 16]), "16 screen pixels a pixel, in both windows");
     let at = on_screen(&mut page, "actual", [worst[0] - 2, worst[1] + 3]);
     page.mouse("mouseMoved", at);
     assert_eq!(page.text(said), words([worst[0] - 2, worst[1] + 3]));
     page.must_be_content();
 }
 
+/// A canvas would forget the colour under a small alpha, and the lower 8 bits of 16.
+#[test]
+fn what_is_translucent_or_deep_shows_its_own_levels() {
+    let sample = Sample::without_report();
+    let count = (SIZE[0] * SIZE[1]) as usize;
+    let deep: Vec<u16> = (0..4 * count).map(|i| (i * 7919 % 65_536) as u16).collect();
+    let picture = DisplayPicture::from_rgba16(SIZE[0], SIZE[1], &deep).expect("a size");
+    picture.save_png(&sample.path("expected"), BitDepth::Sixteen, &[]).expect("written");
+    let colors: Vec<u8> = (0..3 * count).map(|i| (i / 5 * 37 % 251 + i % 3) as u8).collect();
+    for filter in [png::Filter::NoFilter, png::Filter::Sub, png::Filter::Up, png::Filter::Avg, png::Filter::Paeth] {
+        let mut encoder = png::Encoder::new(std::fs::File::create(sample.path("actual")).expect("made"), SIZE[0], SIZE[1]);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_filter(filter);
+        encoder.write_header().and_then(|mut writer| writer.write_image_data(&colors)).expect("written");
+        sample.report(vec![case("deep", DiffOutcome::Size)], &[]);
+        let Some(mut page) = opened(&sample, "#case=deep") else { return };
+        for place in [[0, 0], [1, 0], [17, 1], [319, 179], [160, 90]] {
+            let at = on_screen(&mut page, "expected", place);
+            page.mouse("mouseMoved", at);
+            let pixel = (place[1] * SIZE[0] + place[0]) as usize;
+            let [expected, actual] = [
+                deep[4 * pixel..4 * pixel + 4].to_vec(),
+                colors[3 * pixel..3 * pixel + 3].iter().map(|level| u16::from(*level)).chain([255]).collect(),
+            ]
+            .map(|levels| levels.iter().map(u16::to_string).collect::<Vec<_>>().join(", "));
+            let said = page.text("document.getElementById('values').textContent");
+            let start = format!("{},{} expected ({expected}) actual ({actual}) difference (", place[0], place[1]);
+            assert!(said.starts_with(&start) && said.ends_with(" of 65535"), "{filter:?}: {said}, not {start}");
+        }
+        page.must_be_content();
+    }
+}
+
 #[test]
 fn the_difference_is_that_of_the_levels_amplified() {
     let sample = Sample::write(mixed(), &[]);
     let Some(mut page) = opened(&sample, "#case=disc%2F02-different&view=difference") else { return };
+    // Read from a copy: the page never reads its own canvas.
     let pixel = |page: &mut Page, x: u32, y: u32| {
-        page.ask(&format!("Array.from(document.getElementById('difference').getContext('2d').getImageData({x}, {y}, 1, 1).data)"))
+        page.ask(&format!(
+            "(() => {{ const copy = document.createElement('canvas').getContext('2d', {{ willReadFrequently: true }}); \
+             copy.drawImage(document.getElementById('difference'), -{x}, -{y}); return Array.from(copy.getImageData(0, 0, 1, 1).data); }})()"
+        ))
     };
     let [a, b] = [150.0, 151.5].map(|edge| picture(edge, false).to_rgba8());
     let start = 4 * (90 * SIZE[0] as usize + 150);

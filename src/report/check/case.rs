@@ -85,8 +85,7 @@ fn in_a_line(case: &CheckedCase) -> String {
             differing => format!("{differing} of {} pixels differ ({})", pixels.compared, percent(case)),
         });
     }
-    let limited = case.pair.knobs.iter().filter(|knob| knob.limit.is_some() && knob.option != "--max-pixels");
-    parts.extend(limited.filter(|knob| knob.option != "--per-channel").map(knob_in_words));
+    parts.extend(case.pair.knobs.iter().filter(|knob| knob.limit.is_some()).map(knob_in_words));
     parts.join(" · ")
 }
 

@@ -42,7 +42,7 @@ fn pictures(files: &CaseFiles) -> Markup {
             }
         }
         @if sides.iter().any(|(_, picture)| picture.full().is_some()) {
-            p.note {
+            p.note.full {
                 "In full: "
                 @for (name, file) in sides.iter().filter_map(|(name, picture)| Some((name, picture.full()?))) { a href=(file) { (name) } " " }
             }

@@ -6,6 +6,7 @@ use maud::{Markup, html};
 
 use super::case::{flip, number};
 use super::page::outcome_class;
+use crate::report::words::printable;
 use crate::suite::{CheckResults, CheckedCase, DiffOutcome, Knob};
 
 /// Most runs that a curve shows: the latest.
@@ -83,7 +84,7 @@ fn curve(metric: &str, points: &[Point]) -> Markup {
                     }
                 }
             }
-            " " (points.len()) " runs, highest " (number(most))
+            " " (printable(metric)) " over " (points.len()) " runs, highest " (number(most))
         }
     }
 }

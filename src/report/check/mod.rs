@@ -20,8 +20,8 @@ use crate::suite::{CheckResults, CheckedCase, DiffOutcome};
 use crate::{Error, Result};
 use files::CaseFiles;
 
-/// Cases whose pictures are decoded at once: as many as keep the cores busy without much memory.
-const CASES_AT_ONCE: usize = 8;
+/// Cases whose pictures are decoded at once. Each takes some 40 bytes a pixel meanwhile.
+const CASES_AT_ONCE: usize = 4;
 
 /// Where the pictures of a case lie on this machine. What is absent is not at hand; what cannot be read is shown as that.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -91,7 +91,7 @@ impl CheckReport {
     }
 }
 
-/// Whether somebody has to look at it.
+/// Whether nobody has to look at it.
 fn is_same(case: &CheckedCase) -> bool {
     case.pair.outcome == DiffOutcome::Same
 }

@@ -1,6 +1,6 @@
 //! The page as a whole: what the run came to, the controls, the cases.
 
-use std::cmp::Reverse;
+use std::cmp::Ordering;
 
 use maud::{DOCTYPE, Markup, html};
 
@@ -23,7 +23,7 @@ const POLICY: &str = "default-src 'none'; img-src 'self' file:; script-src 'self
 pub(super) fn page(results: &CheckResults, history: &[CheckResults], files: &[CaseFiles]) -> String {
     let history = History::of(history);
     let mut cases: Vec<Shown<'_>> = results.cases.iter().zip(files).zip(1..).map(case::shown).collect();
-    cases.sort_by(|a, b| urgency(a.case).partial_cmp(&urgency(b.case)).unwrap_or(std::cmp::Ordering::Equal));
+    cases.sort_by(|a, b| urgency(a.case, b.case));
     let policy = html! { meta http-equiv="Content-Security-Policy" content=(POLICY); };
     html! {
         (DOCTYPE)
@@ -53,8 +53,9 @@ pub(super) fn page(results: &CheckResults, history: &[CheckResults], files: &[Ca
 }
 
 /// What has to be looked at first, and of that the worst: those without figures, then by the share of differing pixels.
-fn urgency(case: &CheckedCase) -> (bool, Reverse<f64>) {
-    (is_same(case), Reverse(case::differing_share(case).unwrap_or(f64::INFINITY)))
+fn urgency(a: &CheckedCase, b: &CheckedCase) -> Ordering {
+    let share = |case| case::differing_share(case).unwrap_or(f64::INFINITY);
+    is_same(a).cmp(&is_same(b)).then(share(b).total_cmp(&share(a)))
 }
 
 fn in_words(results: &CheckResults) -> String {
@@ -89,7 +90,7 @@ fn controls(results: &CheckResults) -> Markup {
             label {
                 "Order "
                 select #sort {
-                    option value="worst" { "most differing pixels first" }
+                    option value="worst" { "worst first" }
                     option value="flip" { "highest FLIP first" }
                     option value="manifest" { "as in the manifest" }
                 }

@@ -91,7 +91,7 @@ fn toolbar() -> Markup {
             div.group role="group" aria-label="Zoom" {
                 @for (zoom, name, title) in ZOOMS { button type="button" data-zoom=(zoom) title=(title) aria-label=(title) { (name) } }
             }
-            label #split-control { "Expected " input #split type="range" min="0" max="100" step="0.5" value="50" aria-label="Share of the expected picture, percent"; " actual" }
+            label #split-control { "expected " input #split type="range" min="0" max="100" step="0.5" value="50" aria-label="Share of the expected picture, percent"; " actual" }
             button #flip type="button" { "Flip" }
             button #blink type="button" aria-pressed="false" { "Blink" }
             label #gain-control { "Amplified " select #gain { @for gain in [1, 4, 16, 64] { option value=(gain) { (gain) "×" } } } }
@@ -104,7 +104,7 @@ fn panes() -> Markup {
     let pane = |id: &str, inside: Markup| {
         html! {
             figure {
-                div.window id=(id) tabindex="0" role="group" aria-label="Picture; arrow keys move it, plus and minus zoom" {
+                div.window id=(id) tabindex="0" role="group" {
                     (inside)
                     div.cross hidden {}
                 }

@@ -136,7 +136,7 @@ function listen() {
   byId("previous").addEventListener("click", () => step(-1));
   byId("next").addEventListener("click", () => step(1));
   byId("close").addEventListener("click", () => go({ case: "" }));
-  viewer.dialog.addEventListener("close", () => { if (viewer.row) { go({ case: "" }); } });
+  viewer.dialog.addEventListener("close", () => { if (viewer.row && !viewer.dialog.open) { go({ case: "" }); } });
   list.addEventListener("click", (event) => {
     const row = event.target.closest("h3 a, .small") && event.target.closest("#cases > li");
     if (!row || event.ctrlKey || event.metaKey || event.shiftKey) { return; }

@@ -28,28 +28,30 @@ async function inflate(chunks) {
 
 // Undoes the filters in place. Each row begins with the number of its filter.
 function unfilter(raw, length, height, step) {
-  for (let y = 0; y < height; y += 1) {
-    const start = y * (length + 1) + 1;
-    const above = y > 0 ? start - length - 1 : -1;
-    unfilterRow(raw, raw[start - 1], start, above, length, step);
-  }
+  const stride = length + 1;
+  for (let start = 1; start < height * stride; start += stride) { unfilterRow(raw, raw[start - 1], start, stride, step); }
 }
 
-function unfilterRow(raw, filter, start, above, length, step) {
-  if (filter === 0) { return; }
-  for (let i = 0; i < length; i += 1) {
-    const left = i >= step ? raw[start + i - step] : 0;
-    const up = above >= 0 ? raw[above + i] : 0;
-    const corner = above >= 0 && i >= step ? raw[above + i - step] : 0;
-    raw[start + i] += predicted(filter, left, up, corner);
+// What lies outside is 0. There, in the first row and the first pixel, it takes the slow way.
+function unfilterRow(raw, filter, start, stride, step) {
+  const end = start + stride - 1;
+  const inside = start > 1 ? start + step : end;
+  for (let i = start; i < inside; i += 1) {
+    const left = i >= start + step ? raw[i - step] : 0;
+    const up = start > 1 ? raw[i - stride] : 0;
+    raw[i] += filter === 4 ? nearest(left, up, 0) : [0, left, up, (left + up) >> 1][filter];
   }
+  if (filter === 1) { for (let i = inside; i < end; i += 1) { raw[i] += raw[i - step]; } }
+  if (filter === 2) { for (let i = inside; i < end; i += 1) { raw[i] += raw[i - stride]; } }
+  if (filter === 3) { for (let i = inside; i < end; i += 1) { raw[i] += (raw[i - step] + raw[i - stride]) >> 1; } }
+  if (filter === 4) { for (let i = inside; i < end; i += 1) { raw[i] += nearest(raw[i - step], raw[i - stride], raw[i - stride - step]); } }
 }
 
-function predicted(filter, left, up, corner) {
-  if (filter === 1) { return left; }
-  if (filter === 2) { return up; }
-  if (filter === 3) { return (left + up) >> 1; }
-  const [toLeft, toUp, toCorner] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)];
+// Of the three neighbours the one that lies nearest to the plane through them.
+function nearest(left, up, corner) {
+  const toLeft = Math.abs(up - corner);
+  const toUp = Math.abs(left - corner);
+  const toCorner = Math.abs(left + up - 2 * corner);
   if (toLeft <= toUp && toLeft <= toCorner) { return left; }
   return toUp <= toCorner ? up : corner;
 }

@@ -4,6 +4,7 @@ const byId = (id) => document.getElementById(id);
 const VIEWS = ["side", "slider", "flip", "blink", "difference", "heat"];
 // Two changes a second: far from what harms anybody.
 const BLINK_MS = 500;
+const HOW_TO_MOVE = "; arrow keys move the picture, plus and minus zoom";
 
 class Viewer {
   constructor() {
@@ -59,7 +60,8 @@ class Viewer {
     byId("facts").replaceChildren(...known);
     byId("values").textContent = "";
     this.dialog.querySelector("[data-zoom=worst]").disabled = !row.dataset.worst;
-    byId("said").textContent = "Case " + place + " of " + total + ": " + byId("name").textContent + ", " + word.textContent;
+    const where = place > 0 ? "Case " + place + " of " + total : "A case that is filtered out";
+    byId("said").textContent = where + ": " + byId("name").textContent + ", " + word.textContent;
   }
 
   setPictures(expected, actual) {
@@ -68,8 +70,10 @@ class Viewer {
     draw(byId("expected"), expected);
     draw(byId("actual"), actual);
     const size = (key) => Math.max(...this.pictures.map((picture) => (picture ? picture[key] : 1)));
+    const [width, height] = [size("width"), size("height")];
+    if (expected || actual) { this.panes.style.setProperty("--aspect", width + " / " + height); }
     this.setView(this.view);
-    this.sight.look([size("width"), size("height")]);
+    this.sight.look([width, height]);
   }
 
   setView(view) {
@@ -117,6 +121,8 @@ class Viewer {
     const [one, two] = this.panes.querySelectorAll("figcaption");
     one.textContent = captions[this.view];
     two.textContent = actual;
+    byId("one").setAttribute("aria-label", captions[this.view] + HOW_TO_MOVE);
+    byId("two").setAttribute("aria-label", actual + HOW_TO_MOVE);
   }
 
   flip() {
