@@ -49,10 +49,11 @@ fn one_by_one(tools: &[Tool], pairs: &[Pair], scratch: &Path) -> std::io::Result
         for k in 0..tools.len() {
             let index = (turn + k) % tools.len();
             let (times, same) = measure::run(&mut tools[index].command(pair))?;
-            assert_eq!(same, pair.kind == Kind::Identical, "{} is wrong about {}", tools[index].name, pair.actual.display());
+            rows[index].wrong += usize::from(same != (pair.kind == Kind::Identical));
             rows[index].times.push((pair.kind, times));
         }
     }
+    assert_eq!(rows[0].wrong, 0, "{} is wrong", tools[0].name);
     // One of each kind is enough: a program's memory depends on sizes.
     for pair in pairs.iter().take(3) {
         for (row, tool) in rows.iter_mut().zip(tools) {

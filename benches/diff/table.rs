@@ -10,11 +10,13 @@ pub(crate) struct Row {
     name: String,
     pub(crate) times: Vec<(Kind, Times)>,
     pub(crate) peak_bytes: Option<u64>,
+    /// Pairs that it called the same though they differ, or the other way round.
+    pub(crate) wrong: usize,
 }
 
 impl Row {
     pub(crate) fn new(name: &str) -> Self {
-        Self { name: name.into(), times: Vec::new(), peak_bytes: None }
+        Self { name: name.into(), times: Vec::new(), peak_bytes: None, wrong: 0 }
     }
 
     fn median_ms(&self, kind: Option<Kind>, of: impl Fn(&Times) -> f64) -> f64 {
@@ -36,14 +38,14 @@ pub(crate) fn median(mut samples: Vec<f64>) -> f64 {
 /// A process a pair. The ratio is of wall times over all pairs, to the first row's.
 pub(crate) fn one_by_one(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| ms a pair | identical | slight | large | all, wall | all, user | peak MiB | ratio |\n|---|--:|--:|--:|--:|--:|--:|--:|\n",
+        "| ms a pair | identical | slight | large | all, wall | all, user | peak MiB | wrong | ratio |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
     );
     let own = rows.first().map_or(f64::NAN, |row| row.median_ms(None, |times| times.wall_s));
     for row in rows {
         let of_kinds = KINDS.map(|kind| format!("{:.1}", row.median_ms(Some(kind), |times| times.wall_s))).join(" | ");
         let (wall, user) = (row.median_ms(None, |times| times.wall_s), row.median_ms(None, |times| times.user_s));
         let peak = row.peak_bytes.map_or("–".into(), |bytes| format!("{:.0}", bytes as f64 / f64::from(1 << 20)));
-        writeln!(text, "| {} | {of_kinds} | {wall:.1} | {user:.1} | {peak} | {:.2} |", row.name, wall / own)
+        writeln!(text, "| {} | {of_kinds} | {wall:.1} | {user:.1} | {peak} | {} | {:.2} |", row.name, row.wrong, wall / own)
             .expect("a string takes it");
     }
     text
