@@ -5,12 +5,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
-use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::check::{RESULTS, ReportOptions, merged_places};
 use super::output;
-use super::shards::{parse_results, read_results};
+use super::shards::{Kind, read_results};
 use crate::check::{folders_of, gather};
 use crate::error::{Error, Result};
 use crate::picture::write_bytes_atomically;
@@ -68,12 +67,8 @@ impl Merge {
         }
     }
 
-    fn read<P: DeserializeOwned>(&self) -> Result<Parts<P>> {
-        let read = |path: &PathBuf| {
-            let bytes = std::fs::read(path).map_err(Error::io("read", path))?;
-            Ok((path.clone(), parse_results(path, &bytes)?))
-        };
-        self.shards.iter().map(read).collect()
+    fn read<P: Kind>(&self) -> Result<Parts<P>> {
+        self.shards.iter().map(|path| Ok((path.clone(), read_results(path)?))).collect()
     }
 
     fn only_of_checks(&self) -> Result<()> {

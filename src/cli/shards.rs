@@ -20,15 +20,18 @@ pub(super) struct ShardOptions {
     costs: Option<PathBuf>,
 }
 
-/// Results that say how long each thing that is dealt took.
-pub(super) trait Costs: DeserializeOwned {
-    /// Seconds, by id.
+/// Results of a kind of run.
+pub(super) trait Kind: DeserializeOwned {
+    /// What they are, in words.
+    const WHAT: &str;
+
+    /// How long each thing that is dealt took, by id; in any unit, seconds if there is more than one of a thing.
     fn costs(&self) -> Vec<(String, f64)>;
 }
 
 impl ShardOptions {
     /// Deals ids, if only a part is run; costs are read as results of the same kind.
-    pub(super) fn deal<R: Costs>(&self, ids: &[&str]) -> Result<Option<ShardStamp>> {
+    pub(super) fn deal<R: Kind>(&self, ids: &[&str]) -> Result<Option<ShardStamp>> {
         let Some(shard) = self.shard else { return Ok(None) };
         let earlier: Option<R> = self.costs.as_deref().map(read_results).transpose()?;
         let costs = earlier.map(|earlier| {
@@ -53,16 +56,18 @@ pub(super) fn is_idle(shard: Option<&ShardStamp>) -> bool {
 }
 
 /// Results that an earlier run wrote.
-pub(super) fn read_results<R: DeserializeOwned>(path: &Path) -> Result<R> {
+pub(super) fn read_results<R: Kind>(path: &Path) -> Result<R> {
     let bytes = std::fs::read(path).map_err(Error::io("read", path))?;
-    parse_results(path, &bytes)
+    let refused =
+        |error: serde_json::Error| Error::Format { path: path.to_path_buf(), expected: R::WHAT, message: error.to_string() };
+    serde_json::from_slice(&bytes).map_err(refused)
 }
 
-/// Of a file's bytes.
-pub(super) fn parse_results<R: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<R> {
-    serde_json::from_slice(bytes).map_err(|error| Error::Format {
-        path: path.to_path_buf(),
-        expected: "result of such a run",
-        message: error.to_string(),
-    })
+/// Of whatever kind.
+impl Kind for serde_json::Value {
+    const WHAT: &str = "result of a run";
+
+    fn costs(&self) -> Vec<(String, f64)> {
+        Vec::new()
+    }
 }

@@ -33,8 +33,6 @@ pub fn merge<P: Part>(shards: &[(PathBuf, P)]) -> Result<P> {
         None => Err(format!("{} is no shard: it was run without --shard", path.display())),
     };
     let stamps: Vec<(String, ShardStamp)> = shards.iter().map(stamp).collect::<Result<_, _>>().map_err(Error::Request)?;
-    let named: Vec<(&str, &ShardStamp)> = stamps.iter().map(|(name, stamp)| (name.as_str(), stamp)).collect();
-    check_whole(&named).map_err(Error::Request)?;
     let (first_path, first) = &shards[0];
     for (path, other) in shards {
         if let Some(what) = strangeness(first, other) {
@@ -42,6 +40,8 @@ pub fn merge<P: Part>(shards: &[(PathBuf, P)]) -> Result<P> {
             return Err(Error::Request(format!("{a} and {b} are not shards of one run: they differ in {what}")));
         }
     }
+    let named: Vec<(&str, &ShardStamp)> = stamps.iter().map(|(name, stamp)| (name.as_str(), stamp)).collect();
+    check_whole(&named).map_err(Error::Request)?;
     let order = stamps[0].1.dealt.iter().enumerate().map(|(place, id)| (id.as_str(), place)).collect();
     Ok(P::whole(&shards.iter().map(|(_, part)| part).collect::<Vec<_>>(), &order))
 }

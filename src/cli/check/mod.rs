@@ -14,7 +14,7 @@ use clap::Args;
 use self::draw::DrawOptions;
 use super::diff::parse_bytes;
 use super::output;
-use super::shards::{Costs, ShardOptions, is_idle, is_own, read_results};
+use super::shards::{Kind, ShardOptions, is_idle, is_own, read_results};
 use super::watch::{Bar, check_interrupt};
 use crate::check::{Entry, Journal, Manifest, Run};
 use crate::error::Result;
@@ -193,7 +193,9 @@ pub(super) fn merged_places(case: &CheckedCase, root: &Path, folders: &BTreeMap<
     folders.get(&case.id).map_or_else(CasePictures::default, |folder| places(case, root, folder))
 }
 
-impl Costs for CheckResults {
+impl Kind for CheckResults {
+    const WHAT: &str = "result of `dejag check`";
+
     fn costs(&self) -> Vec<(String, f64)> {
         self.cases.iter().map(|case| (case.entry.clone(), case.timing.seconds)).collect()
     }

@@ -13,7 +13,7 @@ use clap::Args;
 
 use self::bars::Bars;
 use self::pictures::{PictureOptions, Pictures, Showing};
-use super::shards::{Costs, ShardOptions, is_idle, is_own};
+use super::shards::{Kind, ShardOptions, is_idle, is_own};
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
 use crate::bench::sequence::{Contestant, Course, Probe, SEQUENCE_REFERENCE, SequenceRequest, misses, run_sequence};
@@ -231,7 +231,9 @@ impl Sequence {
     }
 }
 
-impl Costs for SequenceResults {
+impl Kind for SequenceResults {
+    const WHAT: &str = "result of `dejag sequence`";
+
     /// By the time of a frame, of which all methods have as many.
     fn costs(&self) -> Vec<(String, f64)> {
         let measured = |method: &SequenceMethod| match &method.outcome {

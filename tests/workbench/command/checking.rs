@@ -100,7 +100,7 @@ fn what_cannot_be_drawn_fails_and_the_others_are_checked() {
     for (from, to, words) in [
         ("'edges'", "'edgse'", "did you mean 'edges'"),
         ("'taa'", "'tba'", "pan-tba: unknown method"),
-        ("size = '48x27'\nformat", "frame = 9\nformat", "light: "),
+        ("size = '48x27'\nformat", "frame = 99999\nformat", "light: "),
         ("size = '48x27'\nformat", "size = '99999x1'\nformat", "light: "),
     ] {
         desk.write("dejag.toml", MANIFEST.replacen(from, to, 1));
