@@ -68,13 +68,13 @@ impl Page {
         let (socket, _) = tungstenite::client(address.as_str(), stream).expect("it speaks WebSocket");
         let mut page = Self { process, _profile: profile, socket, calls: 0, complaints: VecDeque::new() };
         for domain in ["Page", "Runtime", "Log"] {
-            page.call(&format!("{domain}.enable"), json!({}));
+            page.call(&format!("{domain}.enable"), &json!({}));
         }
         page
     }
 
     /// One call of the protocol and its answer. What is reported meanwhile is kept.
-    pub(super) fn call(&mut self, method: &str, parameters: Value) -> Value {
+    pub(super) fn call(&mut self, method: &str, parameters: &Value) -> Value {
         self.calls += 1;
         let request = json!({ "id": self.calls, "method": method, "params": parameters });
         self.socket.send(Message::text(request.to_string())).expect("sent");
@@ -105,7 +105,7 @@ impl Page {
 
     /// Opens a page from disk, with a fragment, and waits until it is loaded.
     pub(super) fn open(&mut self, file: &Path, fragment: &str) {
-        let answer = self.call("Page.navigate", json!({ "url": format!("file://{}{fragment}", file.display()) }));
+        let answer = self.call("Page.navigate", &json!({ "url": format!("file://{}{fragment}", file.display()) }));
         assert!(answer["errorText"].is_null(), "{answer}");
         self.wait("location.protocol === 'file:' && document.readyState === 'complete'");
     }
@@ -114,7 +114,7 @@ impl Page {
     #[track_caller]
     pub(super) fn ask(&mut self, expression: &str) -> Value {
         let parameters = json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
-        let mut answer = self.call("Runtime.evaluate", parameters);
+        let mut answer = self.call("Runtime.evaluate", &parameters);
         assert!(answer["exceptionDetails"].is_null(), "{expression}: {answer}");
         answer["result"]["value"].take()
     }
@@ -157,7 +157,7 @@ impl Page {
             let text = if kind == "keyDown" { text } else { "" };
             let parameters =
                 json!({ "type": kind, "key": key, "text": text, "windowsVirtualKeyCode": code, "modifiers": modifiers });
-            self.call("Input.dispatchKeyEvent", parameters);
+            self.call("Input.dispatchKeyEvent", &parameters);
         }
     }
 
@@ -169,7 +169,7 @@ impl Page {
     /// A pointer's event at a place of the viewport, in CSS pixels.
     pub(super) fn mouse(&mut self, kind: &str, [x, y]: [f64; 2]) {
         let button = if kind == "mouseMoved" { "none" } else { "left" };
-        self.call("Input.dispatchMouseEvent", json!({ "type": kind, "x": x, "y": y, "button": button, "clickCount": 1 }));
+        self.call("Input.dispatchMouseEvent", &json!({ "type": kind, "x": x, "y": y, "button": button, "clickCount": 1 }));
     }
 
     /// A click into the middle of what a selector finds.
@@ -185,26 +185,26 @@ impl Page {
     /// A colour scheme, a medium, less motion: the page is told that its user wants it so.
     pub(super) fn prefer(&mut self, media: &str, features: &[(&str, &str)]) {
         let features: Vec<Value> = features.iter().map(|(name, value)| json!({ "name": name, "value": value })).collect();
-        self.call("Emulation.setEmulatedMedia", json!({ "media": media, "features": features }));
+        self.call("Emulation.setEmulatedMedia", &json!({ "media": media, "features": features }));
     }
 
     /// Width and height of the viewport in CSS pixels.
     pub(super) fn resize(&mut self, [width, height]: [u32; 2]) {
         let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
-        self.call("Emulation.setDeviceMetricsOverride", metrics);
+        self.call("Emulation.setDeviceMetricsOverride", &metrics);
     }
 
     /// Keeps what is seen, for people, where `DEJAG_SCREENSHOTS` names a folder.
     pub(super) fn shoot(&mut self, name: &str) {
-        self.keep(name, "png", "Page.captureScreenshot", json!({}));
+        self.keep(name, "png", "Page.captureScreenshot", &json!({}));
     }
 
     /// The same of what would be printed.
     pub(super) fn print(&mut self, name: &str) {
-        self.keep(name, "pdf", "Page.printToPDF", json!({ "printBackground": true }));
+        self.keep(name, "pdf", "Page.printToPDF", &json!({ "printBackground": true }));
     }
 
-    fn keep(&mut self, name: &str, extension: &str, method: &str, parameters: Value) {
+    fn keep(&mut self, name: &str, extension: &str, method: &str, parameters: &Value) {
         let Some(folder) = std::env::var_os("DEJAG_SCREENSHOTS") else { return };
         let answer = self.call(method, parameters);
         let bytes = STANDARD.decode(answer["data"].as_str().expect("data")).expect("base64");

@@ -76,7 +76,7 @@ function focusRow(row) {
   const link = row && !row.hidden ? row.querySelector("h3 a") : null;
   if (link) {
     link.focus({ preventScroll: true });
-    row.scrollIntoView({ block: "nearest" });
+    row.scrollIntoView({ block: "nearest", behavior: "instant" });
   }
 }
 
