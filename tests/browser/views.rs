@@ -74,10 +74,15 @@ fn the_slider_is_moved_by_keys_and_by_its_handle() {
         ["left", "width"].map(|side| page.ask(&format!("document.getElementById('one').getBoundingClientRect().{side}")));
     let (left, width) = (left.as_f64().expect("a number"), width.as_f64().expect("a number"));
     let y = page.ask("document.getElementById('one').getBoundingClientRect().top + 40").as_f64().expect("a number");
+    // What is pressed is what the last frame shows: the handle has to be where it is going first.
+    page.ask("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))");
+    page.mouse("mouseMoved", [left + 0.52 * width, y]);
     page.mouse("mousePressed", [left + 0.52 * width, y]);
     page.mouse("mouseMoved", [left + 0.25 * width, y]);
+    page.wait(&format!("{split} === '25%'"));
     page.mouse("mouseReleased", [left + 0.25 * width, y]);
-    assert_eq!(page.text(split), "25%");
+    page.mouse("mouseMoved", [left + 0.75 * width, y]);
+    assert_eq!(page.text(split), "25%", "let go, it stays");
     page.must_be_content();
 }
 
