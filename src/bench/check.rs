@@ -67,7 +67,6 @@ impl Drawer for Darkroom {
     fn source(&mut self, subject: &Subject) -> Result<String> {
         let drawing = drawing_of(subject)?;
         let spec = Spec::parse(&drawing.method)?;
-        self.gpu.check_size(drawing.size)?;
         let (program, stamp) = (self.program.clone(), self.stamp());
         let scene = self.scene(&drawing.scene)?;
         if let Subject::Capture(_, frame) = subject {

@@ -1,5 +1,6 @@
 //! Candidates accepted: each becomes its case's golden.
 
+use std::fs;
 use std::path::Path;
 
 use super::Manifest;
@@ -92,6 +93,9 @@ fn bless_one(manifest: &Manifest, case: &CheckedCase, output: &Path, dry_run: bo
     }
     let golden = manifest.root.join(&case.blessed_as);
     let stands_there = hash_of(&golden).ok();
+    if stands_there.is_none() && fs::symlink_metadata(&golden).is_ok() {
+        return refused("what stands in the golden's place cannot be read; look at it, and remove it yourself");
+    }
     let held_against = case.golden.as_ref().and_then(|golden| golden.hash.clone()).filter(|_| is_own(case));
     if stands_there.as_ref() == Some(hash) {
         return refused("it is the golden already");
@@ -115,5 +119,5 @@ fn is_own(case: &CheckedCase) -> bool {
 /// The candidate that lay where the golden was missing is the golden now.
 fn remove_marked(golden: &Path) {
     // It may never have been there.
-    let _ = std::fs::remove_file(beside(golden));
+    let _ = fs::remove_file(beside(golden));
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -156,7 +157,11 @@ impl Manifest {
     ///
     /// [`Error::Io`]; [`Error::Document`] with line and column for what makes no sense.
     pub fn read(path: &Path) -> Result<Self> {
-        let io = |source| Error::io("read the manifest", path)(source);
+        let io = |source: io::Error| {
+            let absent = source.kind() == io::ErrorKind::NotFound;
+            let hint = || io::Error::other("there is none; write one as docs/check.md shows, or name it with --manifest");
+            Error::io("read the manifest", path)(if absent { hint() } else { source })
+        };
         if fs::metadata(path).map_err(io)?.len() > MAX_BYTES {
             return Err(Error::at(&path.to_string_lossy(), "", 0, format!("it is larger than {} MiB", MAX_BYTES >> 20)));
         }

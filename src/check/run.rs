@@ -154,7 +154,9 @@ impl Run<'_> {
 
     fn folder(&self, entry: &Entry, path: &Path, filter: &Filter) -> Result<Vec<CheckedCase>> {
         let root = self.manifest.root.join(path);
-        let (found, mut failures) = list_one(&root, filter);
+        let (mut found, mut failures) = list_one(&root, filter);
+        let ours = self.own_folders_below(&root);
+        found.retain(|below| !ours.iter().any(|ours| below.starts_with(ours)));
         let mut slots: Vec<(Slot, Option<PathBuf>)> =
             found.into_iter().map(|below| (Slot::in_folder(&entry.id, &below), Some(root.join(below)))).collect();
         for environment in chain(self.key(entry), &self.manifest.fallback) {
@@ -186,6 +188,14 @@ impl Run<'_> {
         let unreadable = |error: &Error| self.case(entry, &slot, DiffPair::failed(&root, error));
         cases.extend(failures.first().map(unreadable));
         Ok(cases)
+    }
+
+    /// The output folder and the goldens, if they lie below a folder of pictures, whose pictures they are not.
+    fn own_folders_below(&self, root: &Path) -> Vec<PathBuf> {
+        let goldens = self.manifest.root.join(&self.manifest.goldens);
+        let Ok(root) = fs::canonicalize(root) else { return Vec::new() };
+        let below = |folder: &Path| fs::canonicalize(folder).ok()?.strip_prefix(&root).ok().map(Path::to_path_buf);
+        [self.output, &goldens].into_iter().filter_map(below).collect()
     }
 
     /// A picture that something else made: taken over, then held against its golden.

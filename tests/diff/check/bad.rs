@@ -112,6 +112,28 @@ fn where_a_file_cannot_be_written_the_others_are() {
     assert!(!desk.names().iter().any(|name| name.ends_with(".part")), "nothing half-written stays");
 }
 
+#[test]
+fn a_folder_that_holds_the_goldens_and_the_output_is_not_its_own_picture() {
+    let desk = desk();
+    desk.write("dejag.toml", "[[files]]\nid = 'all'\nfolder = '.'\n");
+    for _ in 0..2 {
+        let (_, results) = json(&desk, "");
+        let ids: Vec<_> = results["cases"].as_array().expect("cases").iter().map(|case| case["id"].clone()).collect();
+        assert_eq!(ids, ["all/shots/a.png"]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_came_into_the_golden_s_place_is_not_replaced() {
+    let desk = desk();
+    desk.put("shots/b.png", &other());
+    desk.dejag("check").ended(1, &["1 new"]);
+    std::os::unix::fs::symlink("nowhere.png", desk.path("goldens/any/shots/b.png")).expect("linked");
+    desk.dejag("bless").ended(1, &["left alone shots/b.png", "cannot be read"]);
+    assert!(fs::symlink_metadata(desk.path("goldens/any/shots/b.png")).expect("there").is_symlink());
+}
+
 #[cfg(unix)]
 #[test]
 fn without_permission() {

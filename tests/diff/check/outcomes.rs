@@ -143,7 +143,7 @@ fn what_is_said_first_is_outranked_by_what_is_worse() {
 #[test]
 fn manifests_that_make_no_sense_and_requests_that_do_not_either() {
     let desk = desk();
-    desk.dejag("check --manifest absent.toml").ended(3, &["absent.toml", "check the path"]);
+    desk.dejag("check --manifest absent.toml").ended(3, &["absent.toml", "docs/check.md"]);
     desk.dejag("check nothing").ended(2, &["unknown case 'nothing'", "known: shots"]);
     desk.dejag("check shots").ended(0, &[]);
     desk.dejag("check --costs x.json").ended(2, &["--shard"]);
