@@ -11,7 +11,7 @@ const HELP: &str = "\
 --single N     of these, how many are compared a process a pair [60]
 --flips N      of these, how many are compared by FLIP [12]
 --size WxH     [1920x1080]
---folder DIR   write the pictures there and leave them
+--folder DIR   write the pictures there, into a new folder, and leave them
 --large        also --max-flip of two pictures of 16384x16384, which takes minutes";
 
 /// What was asked for.

@@ -27,10 +27,11 @@ pub(crate) struct Pair {
     pub(crate) kind: Kind,
 }
 
-/// Writes `expected/` and `actual/` into the folder, kinds by turns.
+/// Writes `expected/` and `actual/` into the folder, kinds by turns. They must not be there yet: what lay in them would be compared, too.
 pub(crate) fn write(folder: &Path, count: usize, size: [u32; 2]) -> io::Result<Vec<Pair>> {
+    fs::create_dir_all(folder)?;
     for side in ["expected", "actual"] {
-        fs::create_dir_all(folder.join(side))?;
+        fs::create_dir(folder.join(side))?;
     }
     let pairs: Vec<Pair> = (0..count).map(|index| pair(folder, index)).collect();
     pairs.par_iter().enumerate().try_for_each(|(index, pair)| {
