@@ -12,7 +12,7 @@ use super::entry::{Drawing, Entry, Format, Subject, slashed};
 use super::environment::{ANY, chain};
 use super::journal::{Drawn, Journal};
 use super::slot::{CANDIDATE_MARK, Slot, beside, copy, hash_of, length_of, make_folder_of};
-use crate::compare::{Filter, Scope, Settings, Targets, list_one, wave_length};
+use crate::compare::{Filter, Scope, Settings, Targets, guarded, list_one, wave_length};
 use crate::error::Blame;
 use crate::picture::{Loaded, Raster, texts, with_png_texts, write_bytes_atomically};
 use crate::suite::{CaseTiming, CheckedCase, DiffOutcome, DiffPair, Environment, Stamp};
@@ -285,8 +285,14 @@ impl Run<'_> {
         settings.compare(golden, candidate, &Targets { heat: Some(self.output.join(slot.heat())), ..Targets::default() })
     }
 
-    /// The candidate is left where its golden should be, to be looked at.
+    /// The candidate is left where its golden should be, to be looked at. What cannot be read must not become one.
     fn without_golden(&self, entry: &Entry, slot: &Slot, candidate: &Path) -> CheckedCase {
+        if let Err(error) = guarded(candidate, self.max_bytes) {
+            let mut pair =
+                DiffPair::of_sides(None, None, DiffOutcome::Unreadable).ended(DiffOutcome::Unreadable, error.to_string());
+            pair.actual = Some(slashed(&slot.candidate()));
+            return self.case(entry, slot, pair);
+        }
         let blessed = slot.blessed(self.manifest, self.key(entry));
         let left = beside(&blessed);
         let place = match copy(candidate, &self.manifest.root.join(&left)) {

@@ -123,8 +123,12 @@ fn are_equal(a: &Path, b: &Path) -> io::Result<bool> {
     }
 }
 
-/// A decoder that breaks down on one file must not take the others with it.
-pub(super) fn guarded(path: &Path, max_bytes: u64) -> Result<Raster> {
+/// Reads a picture. A decoder that breaks down on one file does not take the others with it.
+///
+/// # Errors
+///
+/// As [`Raster::read`].
+pub fn guarded(path: &Path, max_bytes: u64) -> Result<Raster> {
     catch_unwind(AssertUnwindSafe(|| Raster::read(path, max_bytes))).unwrap_or_else(|_| {
         let message = "the code for its format broke down, which is a bug: please report it with the file".into();
         Err(Error::Format { path: path.to_path_buf(), expected: "picture", message })

@@ -18,7 +18,7 @@ mod tests;
 mod verdict;
 mod waves;
 
-pub use files::Settings;
+pub use files::{Settings, guarded};
 pub use folders::{Filter, Listing, PathPair, list, list_one};
 pub use limits::{Allowance, Limits, Measure, MetricLimit, parse_difference, parse_limit};
 pub use pictures::Targets;

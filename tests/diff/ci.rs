@@ -86,6 +86,27 @@ fn arguments_reach_the_program_one_a_line_and_its_exit_code_is_kept() {
     assert_eq!(fs::read_to_string(desk.path("outputs")).expect("written"), "exit-code=3\n");
 }
 
+/// What is handed to the command in the action, in files to copy and in the documentation exists.
+#[test]
+fn options_that_are_used_exist() {
+    let help = |verb: &str| super::desk::Desk::new().dejag(&format!("{verb} --help")).stdout;
+    let known = ["check", "merge", "bless"].map(help).concat();
+    let is_ours = |line: &&str| {
+        ["dejag check", "dejag merge", "dejag bless", "arguments", "--shard", "exec dejag"].iter().any(|word| line.contains(word))
+    };
+    let mut used = std::collections::BTreeSet::new();
+    for file in ["action.yml", "docs/ci/github.yml", "docs/ci/slurm.sh", "docs/ci.md", "docs/check.md", "README.md"] {
+        let text = read(file);
+        for line in text.lines().filter(is_ours) {
+            let words = line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'));
+            used.extend(words.filter(|word| word.len() > 3 && word.starts_with("--")).map(ToOwned::to_owned));
+        }
+    }
+    let unknown: Vec<&String> = used.iter().filter(|option| !known.contains(option.as_str())).collect();
+    assert!(unknown.is_empty(), "{unknown:?}");
+    assert!(used.len() > 10, "{used:?}");
+}
+
 #[test]
 fn inputs_are_declared_and_used_and_other_actions_have_a_version() {
     let action = read("action.yml");

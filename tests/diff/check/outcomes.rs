@@ -110,6 +110,12 @@ fn unreadable() {
         desk.write(broken, &whole);
     }
     comes_to(&desk, "same", 0, &[]);
+    // A broken picture without a golden is no candidate for one.
+    fs::remove_file(desk.path("goldens/any/shots/a.png")).expect("removed");
+    desk.write("shots/a.png", "no picture");
+    comes_to(&desk, "unreadable", 3, &["begins like none"]);
+    desk.dejag("bless").ended(1, &["left alone"]);
+    assert!(!desk.path("goldens/any/shots/a.png").exists() && !desk.path("goldens/any/shots/a.candidate.png").exists());
     fs::remove_dir_all(desk.path("shots")).expect("removed");
     desk.dejag("check").ended(3, &["unreadable", "could not read shots"]);
 }
