@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use super::check::{RESULTS, ReportOptions, merged_places};
 use super::output;
-use super::shards::{Kind, read_results};
+use super::shards::{Kind, read_json, read_results};
 use crate::check::{folders_of, gather};
 use crate::error::{Error, Result};
 use crate::picture::write_bytes_atomically;
@@ -55,7 +55,7 @@ type Parts<P> = Vec<(PathBuf, P)>;
 impl Merge {
     pub(super) fn run(&self) -> anyhow::Result<ExitCode> {
         // The first says what all of them must be.
-        let first: Value = read_results(&self.shards[0])?;
+        let first: Value = read_json(&self.shards[0], "result of a run")?;
         if first.get("scenes").is_some() {
             self.only_of_checks()?;
             self.scores(&self.read()?)

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use anyhow::Context as _;
 use clap::Args;
 
-use super::shards::{Kind, ShardOptions, is_idle, is_own};
+use super::shards::{ShardOptions, is_idle, is_own};
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
 use crate::bench::{
@@ -236,14 +236,6 @@ fn add_pictures(report: &mut HtmlReport, outcome: &SceneOutcome) -> Result<(), E
         }
     }
     Ok(())
-}
-
-impl Kind for Results {
-    const WHAT: &str = "result of `dejag score`";
-
-    fn costs(&self) -> Vec<(String, f64)> {
-        self.scenes.iter().map(|scene| (scene.name.clone(), scene.timing.seconds)).collect()
-    }
 }
 
 impl Progress for Bar {

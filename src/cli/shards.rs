@@ -7,7 +7,7 @@ use clap::Args;
 use serde::de::DeserializeOwned;
 
 use crate::error::{Error, Result};
-use crate::suite::{Shard, ShardStamp};
+use crate::suite::{CheckResults, Results, SequenceMethod, SequenceOutcome, SequenceResults, Shard, ShardStamp};
 
 /// Which part of a run.
 #[derive(Debug, Args)]
@@ -57,17 +57,41 @@ pub(super) fn is_idle(shard: Option<&ShardStamp>) -> bool {
 
 /// Results that an earlier run wrote.
 pub(super) fn read_results<R: Kind>(path: &Path) -> Result<R> {
+    read_json(path, R::WHAT)
+}
+
+/// What a file has as JSON; `expected` says what that should be.
+pub(super) fn read_json<T: DeserializeOwned>(path: &Path, expected: &'static str) -> Result<T> {
     let bytes = std::fs::read(path).map_err(Error::io("read", path))?;
-    let refused =
-        |error: serde_json::Error| Error::Format { path: path.to_path_buf(), expected: R::WHAT, message: error.to_string() };
+    let refused = |error: serde_json::Error| Error::Format { path: path.to_path_buf(), expected, message: error.to_string() };
     serde_json::from_slice(&bytes).map_err(refused)
 }
 
-/// Of whatever kind.
-impl Kind for serde_json::Value {
-    const WHAT: &str = "result of a run";
+impl Kind for CheckResults {
+    const WHAT: &str = "result of `dejag check`";
 
     fn costs(&self) -> Vec<(String, f64)> {
-        Vec::new()
+        self.cases.iter().map(|case| (case.entry.clone(), case.timing.seconds)).collect()
+    }
+}
+
+impl Kind for Results {
+    const WHAT: &str = "result of `dejag score`";
+
+    fn costs(&self) -> Vec<(String, f64)> {
+        self.scenes.iter().map(|scene| (scene.name.clone(), scene.timing.seconds)).collect()
+    }
+}
+
+impl Kind for SequenceResults {
+    const WHAT: &str = "result of `dejag sequence`";
+
+    /// By the time of a frame, of which all methods have as many.
+    fn costs(&self) -> Vec<(String, f64)> {
+        let measured = |method: &SequenceMethod| match &method.outcome {
+            SequenceOutcome::Measured(figures) => Some((method.spec.clone(), figures.timing.frame_ms.median)),
+            SequenceOutcome::Failed { .. } => None,
+        };
+        self.result.methods.iter().filter_map(measured).collect()
     }
 }

@@ -94,7 +94,7 @@ fn options_that_are_used_exist() {
     let is_ours = |line: &&str| {
         ["dejag check", "dejag merge", "dejag bless", "arguments", "--shard", "exec dejag"].iter().any(|word| line.contains(word))
     };
-    let mut used = std::collections::BTreeSet::new();
+    let mut used = BTreeSet::new();
     for file in ["action.yml", "docs/ci/github.yml", "docs/ci/slurm.sh", "docs/ci.md", "docs/check.md", "README.md"] {
         let text = read(file);
         for line in text.lines().filter(is_ours) {

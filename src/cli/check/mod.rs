@@ -14,7 +14,7 @@ use clap::Args;
 use self::draw::DrawOptions;
 use super::diff::parse_bytes;
 use super::output;
-use super::shards::{Kind, ShardOptions, is_idle, is_own, read_results};
+use super::shards::{ShardOptions, is_idle, is_own, read_results};
 use super::watch::{Bar, check_interrupt};
 use crate::check::{Entry, Journal, Manifest, Run};
 use crate::error::Result;
@@ -191,14 +191,6 @@ fn places(case: &CheckedCase, root: &Path, output: &Path) -> CasePictures {
 /// As [`places`], each case's files beside the results of its shard.
 pub(super) fn merged_places(case: &CheckedCase, root: &Path, folders: &BTreeMap<String, PathBuf>) -> CasePictures {
     folders.get(&case.id).map_or_else(CasePictures::default, |folder| places(case, root, folder))
-}
-
-impl Kind for CheckResults {
-    const WHAT: &str = "result of `dejag check`";
-
-    fn costs(&self) -> Vec<(String, f64)> {
-        self.cases.iter().map(|case| (case.entry.clone(), case.timing.seconds)).collect()
-    }
 }
 
 /// Reports that are begun, so that what is in their way is found out before the work.

@@ -13,7 +13,7 @@ use clap::Args;
 
 use self::bars::Bars;
 use self::pictures::{PictureOptions, Pictures, Showing};
-use super::shards::{Kind, ShardOptions, is_idle, is_own};
+use super::shards::{ShardOptions, is_idle, is_own};
 use super::watch::{Bar, check_interrupt};
 use super::{Drawing, capture::load, output, parse_size};
 use crate::bench::sequence::{Contestant, Course, Probe, SEQUENCE_REFERENCE, SequenceRequest, misses, run_sequence};
@@ -24,7 +24,7 @@ use crate::methods::Spec;
 use crate::picture::write_bytes_atomically;
 use crate::report;
 use crate::scene::Scene;
-use crate::suite::{SEQUENCE_SCHEMA_VERSION, SequenceMethod, SequenceOutcome, SequenceResult, SequenceResults, Stamp};
+use crate::suite::{SEQUENCE_SCHEMA_VERSION, SequenceOutcome, SequenceResult, SequenceResults, Stamp};
 
 /// Draw a sequence with methods and measure it: error, flicker, ghosts, thin lines, light
 #[derive(Debug, Args)]
@@ -228,19 +228,6 @@ impl Sequence {
         }
         let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         output::print(&report::sequence_table(results, std::io::stdout().is_terminal() && !no_color))
-    }
-}
-
-impl Kind for SequenceResults {
-    const WHAT: &str = "result of `dejag sequence`";
-
-    /// By the time of a frame, of which all methods have as many.
-    fn costs(&self) -> Vec<(String, f64)> {
-        let measured = |method: &SequenceMethod| match &method.outcome {
-            SequenceOutcome::Measured(figures) => Some((method.spec.clone(), figures.timing.frame_ms.median)),
-            SequenceOutcome::Failed { .. } => None,
-        };
-        self.result.methods.iter().filter_map(measured).collect()
     }
 }
 

@@ -140,7 +140,7 @@ fn without_permission() {
     use std::os::unix::fs::PermissionsExt as _;
     let desk = desk();
     desk.put("shots/locked.png", &other());
-    fs::set_permissions(desk.path("shots/locked.png"), fs::Permissions::from_mode(0)).expect("set");
+    fs::set_permissions(desk.path("shots/locked.png"), fs::Permissions::from_mode(0o000)).expect("set");
     if fs::File::open(desk.path("shots/locked.png")).is_ok() {
         // Whoever may read everything meets no lock.
         return;
