@@ -25,9 +25,12 @@ pub struct Darkroom {
 
 impl Darkroom {
     /// On this device; scene files are found below `root`. `watch` is asked between draws whether to go on.
-    #[must_use]
-    pub fn new(gpu: Gpu, root: &Path, watch: fn() -> Result<()>) -> Self {
-        Self { gpu, root: root.to_path_buf(), scenes: BTreeMap::new(), program: program_hash(), watch }
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Io`] if the running program's own file cannot be read, which tells one build's pictures from another's.
+    pub fn new(gpu: Gpu, root: &Path, watch: fn() -> Result<()>) -> Result<Self> {
+        Ok(Self { gpu, root: root.to_path_buf(), scenes: BTreeMap::new(), program: program_hash()?, watch })
     }
 
     fn scene(&mut self, name: &str) -> Result<&Scene> {
@@ -41,13 +44,12 @@ impl Darkroom {
 }
 
 /// Another build may draw other bits.
-fn program_hash() -> String {
-    let hash = || {
-        let mut hasher = blake3::Hasher::new();
-        hasher.update_reader(File::open(std::env::current_exe().ok()?).ok()?).ok()?;
-        Some(hasher.finalize().to_hex().to_string())
-    };
-    hash().unwrap_or_default()
+fn program_hash() -> Result<String> {
+    let path = std::env::current_exe().map_err(Error::io("find", Path::new("this program's file")))?;
+    let file = File::open(&path).map_err(Error::io("read", &path))?;
+    let mut hasher = blake3::Hasher::new();
+    hasher.update_reader(file).map_err(Error::io("read", &path))?;
+    Ok(hasher.finalize().to_hex().to_string())
 }
 
 /// Asks a function between draws.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::slot::Slot;
 use super::tolerance::Tolerance;
 use crate::compare::{Filter, Rectangle};
 use crate::picture::BitDepth;
@@ -78,6 +79,15 @@ impl Format {
 }
 
 impl Entry {
+    /// The file of its golden, or the folder of its goldens, below an environment's.
+    pub(super) fn golden_name(&self) -> String {
+        match &self.subject {
+            Subject::Capture(drawing, _) => slashed(&Slot::drawn(&self.id, None, drawing.format.extension()).below),
+            Subject::File(path) => slashed(&Slot::file(&self.id, path).below),
+            Subject::Sequence(..) | Subject::Folder(..) => self.id.clone(),
+        }
+    }
+
     /// What is drawn for it, if anything is.
     #[must_use]
     pub fn drawing(&self) -> Option<&Drawing> {

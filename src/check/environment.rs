@@ -1,9 +1,20 @@
 //! Environments: what draws the same bits shares goldens.
 
+use super::manifest::check_id;
 use crate::suite::{Environment, Stamp};
+use crate::{Error, Result};
 
 /// The last folder that is looked into, and the one of pictures that something else made.
 pub const ANY: &str = "any";
+
+/// Whether a key can name an environment: it is a folder's name.
+///
+/// # Errors
+///
+/// [`Error::Request`], saying what can.
+pub fn check_key(key: &str) -> Result<()> {
+    check_id(key).map_err(|why| Error::Request(format!("--environment: {why}")))
+}
 
 /// This machine, and what draws on it; `key` as the user names it, or what the driver says of itself.
 #[must_use]

@@ -21,7 +21,8 @@ pub fn folders_of(shards: &[(PathBuf, CheckResults)]) -> BTreeMap<String, PathBu
 /// [`Error::Io`], and [`Error::Request`] for paths that lead out of a shard's folder. The results themselves are left to whoever
 /// writes them.
 pub fn gather(results: &CheckResults, folders: &BTreeMap<String, PathBuf>, output: &Path) -> Result<()> {
-    for case in &results.cases {
+    // Of names that are not UTF-8 the results do not know which they are.
+    for case in results.cases.iter().filter(|case| !case.pair.lossy) {
         let Some(folder) = folders.get(&case.id) else { continue };
         let candidate = case.pair.actual.as_ref().filter(|_| case.candidate_hash.is_some());
         for file in candidate.into_iter().chain(&case.pair.pictures) {

@@ -11,6 +11,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::entry::{Drawing, Entry, Format, Subject};
+use super::slot::CANDIDATE_MARK;
 use super::tolerance::{Override, Tolerance, glob};
 use super::words::{self, Area, Several};
 use crate::compare::Filter;
@@ -25,9 +26,9 @@ pub struct Manifest {
     pub hash: String,
     /// What paths in it are relative to.
     pub root: PathBuf,
-    /// Where goldens lie, a folder for each environment; below the root.
+    /// Where goldens lie, a folder for each environment; relative to the root.
     pub goldens: PathBuf,
-    /// Where candidates and results go unless the command line says otherwise; below the root.
+    /// Where candidates and results go unless the command line says otherwise; relative to the root.
     pub output: PathBuf,
     /// Environments whose goldens stand in where an environment has none of its own.
     pub fallback: Vec<String>,
@@ -194,19 +195,23 @@ impl Manifest {
             let entry = files.get_ref().entry(&document.tolerance).map(|entry| vec![entry]);
             place.add(&mut entries, files.span().start, entry)?;
         }
-        let mut ids = BTreeSet::new();
+        let (mut ids, mut files) = (BTreeSet::new(), BTreeSet::new());
         for (offset, entry) in &entries {
-            if !ids.insert(&entry.id) {
+            // Some systems take names for the same that differ in case only.
+            if !ids.insert(entry.id.to_lowercase()) || !files.insert(entry.golden_name().to_lowercase()) {
                 return Err(place.error(*offset, format!("id '{}' is taken by an entry above; give each its own `id`", entry.id)));
             }
         }
         // A golden would have to be a file and a folder at once.
         for (offset, entry) in &entries {
             let above =
-                entry.id.match_indices('/').map(|(at, _)| &entry.id[..at]).find(|above| ids.contains(&(*above).to_owned()));
+                entry.id.match_indices('/').map(|(at, _)| &entry.id[..at]).find(|above| ids.contains(&above.to_lowercase()));
             if let Some(above) = above {
                 return Err(place.error(*offset, format!("id '{}' lies below another entry's id, '{above}'", entry.id)));
             }
+        }
+        if document.goldens.as_os_str().is_empty() || document.goldens == document.output {
+            return Err(place.error(0, "`goldens` must name a folder, and another one than `output`".into()));
         }
         for level in &document.fallback {
             check_id(level.get_ref()).map_err(|why| place.error(level.span().start, why))?;
@@ -230,7 +235,12 @@ impl Manifest {
         held.fold(entry.tolerance, |tolerance, over| tolerance.with(&over.tolerance))
     }
 
-    /// Entries whose ids, or a part of which up to a `/`, match any of these; all without one.
+    /// Whether an override sets limits of this picture by environment or platform.
+    pub(super) fn differs_by_place(&self, id: &str) -> bool {
+        self.overrides.iter().any(|over| over.depends_on_place() && over.concerns(id))
+    }
+
+    /// Entries whose ids, or a part of which up to a `/`, match any of these, and those of pictures that are named; all without one.
     ///
     /// # Errors
     ///
@@ -242,12 +252,12 @@ impl Manifest {
         let globs: Vec<(&String, GlobMatcher)> =
             patterns.iter().map(|pattern| Ok((pattern, glob(pattern).map_err(Error::Request)?))).collect::<Result<_>>()?;
         for (pattern, glob) in &globs {
-            if !self.entries.iter().any(|entry| is_named(glob, &entry.id)) {
+            if !self.entries.iter().any(|entry| is_meant(pattern, glob, entry)) {
                 let known: Vec<&str> = self.entries.iter().map(|entry| entry.id.as_str()).collect();
                 return Err(crate::error::unknown("case", pattern, &known));
             }
         }
-        Ok(self.entries.iter().filter(|entry| globs.iter().any(|(_, glob)| is_named(glob, &entry.id))).collect())
+        Ok(self.entries.iter().filter(|entry| globs.iter().any(|(pattern, glob)| is_meant(pattern, glob, entry))).collect())
     }
 
     /// Where goldens of an environment lie.
@@ -255,6 +265,11 @@ impl Manifest {
     pub fn goldens_of(&self, environment: &str) -> PathBuf {
         self.root.join(&self.goldens).join(environment)
     }
+}
+
+/// Whether a pattern means an entry: by its id, what lies above it, or a picture of it.
+fn is_meant(pattern: &str, glob: &GlobMatcher, entry: &Entry) -> bool {
+    is_named(glob, &entry.id) || pattern.strip_prefix(&entry.id).is_some_and(|rest| rest.starts_with('/'))
 }
 
 /// Whether a pattern matches an id or what stands before one of its `/`.
@@ -383,9 +398,12 @@ fn id_of(scene: &str, method: &str) -> String {
 }
 
 /// Ids are paths below the goldens on every system.
-fn check_id(id: &str) -> Result<(), String> {
+pub(super) fn check_id(id: &str) -> Result<(), String> {
     let allowed = |c: char| c.is_alphanumeric() || matches!(c, '.' | '_' | '-' | '/' | '+' | ' ');
     let sane = |part: &str| !part.is_empty() && !part.starts_with(['.', ' ']) && !part.ends_with(['.', ' ']) && part.len() <= 200;
+    if format!("{id}.").contains(CANDIDATE_MARK) {
+        return Err(format!("'{id}' is no id: '{CANDIDATE_MARK}' marks what is left where a golden is missing"));
+    }
     if id.chars().all(allowed) && id.split('/').all(sane) && id.len() <= 1000 {
         return Ok(());
     }

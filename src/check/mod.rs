@@ -2,6 +2,7 @@
 //! handed in as a [`Drawer`].
 
 mod bless;
+mod candidate;
 mod causes;
 mod entry;
 mod environment;
@@ -14,11 +15,12 @@ mod slot;
 #[cfg(test)]
 mod tests;
 mod tolerance;
+mod unused;
 mod words;
 
-pub use bless::{Blessing, bless};
+pub use bless::{Bless, Blessing};
 pub use entry::{Drawing, Entry, Format, Subject};
-pub use environment::{ANY, chain, environment};
+pub use environment::{ANY, chain, check_key, environment};
 pub use gather::{folders_of, gather};
 pub use journal::Journal;
 pub use learn::{Learned, Lesson, learn};

@@ -8,13 +8,13 @@ use rayon::prelude::*;
 
 use super::Manifest;
 use super::causes::likely_causes;
-use super::entry::{Drawing, Entry, Format, Subject, slashed};
+use super::entry::{Entry, Subject, slashed};
 use super::environment::{ANY, chain};
-use super::journal::{Drawn, Journal};
-use super::slot::{CANDIDATE_MARK, Slot, beside, copy, hash_of, length_of, make_folder_of};
+use super::journal::Journal;
+use super::slot::{CANDIDATES, DIFFERENCES, Slot, beside, copy, hash_of, is_absence, is_candidate};
 use crate::compare::{Filter, Scope, Settings, Targets, guarded, list_one, wave_length};
 use crate::error::Blame;
-use crate::picture::{Loaded, Raster, texts, with_png_texts, write_bytes_atomically};
+use crate::picture::Loaded;
 use crate::suite::{CaseTiming, CheckedCase, DiffOutcome, DiffPair, Environment, Stamp};
 use crate::{Error, Result};
 
@@ -60,8 +60,8 @@ impl Run<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Request`] if masks or regions do not fit; [`Error::Io`] if the journal cannot be written; what [`Run::watch`] answers.
-    /// Whatever is wrong with a single picture is its outcome.
+    /// [`Error::Io`] if the journal cannot be written; what [`Run::watch`] answers. Whatever is wrong with a single picture is its
+    /// outcome.
     pub fn check(
         &self,
         entries: &[&Entry],
@@ -87,7 +87,8 @@ impl Run<'_> {
         let start = Instant::now();
         let drawing = entry.drawing().expect("only what is drawn gets here");
         let extension = drawing.format.extension();
-        let source = drawer.source(&entry.subject)?;
+        // What its file says of its making is a part of it too.
+        let source = format!("{} {:?}", drawer.source(&entry.subject)?, self.provenance(entry));
         let mut pictures = journal.pictures(&entry.id, &source, self.output, extension).unwrap_or_default();
         let mut failure = None;
         if pictures.is_empty() {
@@ -114,41 +115,11 @@ impl Run<'_> {
         Ok(cases)
     }
 
-    fn store(&self, entry: &Entry, drawing: &Drawing, frame: Option<i64>, picture: &Loaded) -> Result<Drawn> {
-        let slot = Slot::drawn(&entry.id, frame, drawing.format.extension());
-        let path = self.output.join(slot.candidate());
-        make_folder_of(&path)?;
-        let which = frame.or(match entry.subject {
-            Subject::Capture(_, frame) => Some(frame.into()),
-            _ => None,
-        });
-        let (provenance, frame_text) = (self.provenance(&entry.id), which.map(|frame| frame.to_string()));
-        let mut words: Vec<(&str, &str)> = provenance.iter().map(|(key, value)| (*key, value.as_str())).collect();
-        words.extend([("scene", drawing.scene.as_str()), ("method", drawing.method.as_str())]);
-        words.extend(frame_text.as_deref().map(|frame| ("frame", frame)));
-        match drawing.format {
-            Format::Exr => picture.clone().into_linear().save_exr(&path, &words)?,
-            Format::Png | Format::Png16 => picture.clone().into_display().save_png(&path, drawing.format.depth(), &words)?,
-        }
-        Ok(Drawn { frame, hash: hash_of(&path)? })
-    }
-
-    /// What a candidate's file says of its making.
-    fn provenance(&self, id: &str) -> Vec<(&'static str, String)> {
-        let Environment { key, platform, stamp } = self.environment;
-        let mut words = vec![("Software", format!("dejag {}", env!("CARGO_PKG_VERSION")))];
-        words.extend([("environment", key.clone()), ("platform", platform.clone())]);
-        if let Some(Stamp { adapter, kind, driver, driver_version, backend, .. }) = stamp {
-            words.push(("adapter", format!("{adapter} ({kind}; {driver} {driver_version}; {backend})")));
-        }
-        words.push(("command", format!("dejag check '{id}' --manifest '{}'", slashed(&self.manifest.path))));
-        words
-    }
-
     fn file(&self, entry: &Entry, path: &Path) -> Result<CheckedCase> {
         let slot = Slot::file(&entry.id, path);
         let source = self.manifest.root.join(path);
-        let missing = !source.exists() && slot.golden(self.manifest, self.key(entry)).is_some();
+        let absent = fs::symlink_metadata(&source).is_err_and(|error| is_absence(&error));
+        let missing = absent && slot.golden(self.manifest, self.key(entry)).is_some();
         self.supplied(entry, &slot, (!missing).then_some(&source))
     }
 
@@ -156,7 +127,7 @@ impl Run<'_> {
         let root = self.manifest.root.join(path);
         let (mut found, mut failures) = list_one(&root, filter);
         let ours = self.own_folders_below(&root);
-        found.retain(|below| !ours.iter().any(|ours| below.starts_with(ours)));
+        found.retain(|below| !ours.iter().any(|ours| below.starts_with(ours)) && !lies_in_report(&root, below));
         let mut slots: Vec<(Slot, Option<PathBuf>)> =
             found.into_iter().map(|below| (Slot::in_folder(&entry.id, &below), Some(root.join(below)))).collect();
         for environment in chain(self.key(entry), &self.manifest.fallback) {
@@ -182,7 +153,8 @@ impl Run<'_> {
             rest = later;
         }
         if cases.is_empty() && failures.is_empty() {
-            failures.push(Error::Request(format!("{} holds no pictures that it asks for", root.display())));
+            let what = if root.is_file() { "is a file; name it with `file`" } else { "holds no pictures that it asks for" };
+            failures.push(Error::Request(format!("{} {what}", root.display())));
         }
         let slot = Slot::file(&entry.id, Path::new(""));
         let unreadable = |error: &Error| self.case(entry, &slot, DiffPair::failed(&root, error));
@@ -190,12 +162,15 @@ impl Run<'_> {
         Ok(cases)
     }
 
-    /// The output folder and the goldens, if they lie below a folder of pictures, whose pictures they are not.
+    /// What lies below a folder of pictures and is none of its pictures: goldens, and what this run and others put out.
     fn own_folders_below(&self, root: &Path) -> Vec<PathBuf> {
-        let goldens = self.manifest.root.join(&self.manifest.goldens);
         let Ok(root) = fs::canonicalize(root) else { return Vec::new() };
-        let below = |folder: &Path| fs::canonicalize(folder).ok()?.strip_prefix(&root).ok().map(Path::to_path_buf);
-        [self.output, &goldens].into_iter().filter_map(below).collect()
+        let below = |folder: &Path| Some(fs::canonicalize(folder).ok()?.strip_prefix(&root).ok()?.to_path_buf());
+        let (goldens, output) = (self.manifest.root.join(&self.manifest.goldens), self.manifest.root.join(&self.manifest.output));
+        let whole = [&goldens, &output].into_iter().filter_map(|folder| below(folder)).filter(|below| below != Path::new(""));
+        // Pictures may lie in the output folder itself.
+        let parts = [output.as_path(), self.output].into_iter().filter_map(below);
+        whole.chain(parts.flat_map(|output| [CANDIDATES, DIFFERENCES].map(|part| output.join(part)))).collect()
     }
 
     /// A picture that something else made: taken over, then held against its golden.
@@ -204,34 +179,16 @@ impl Run<'_> {
         let mut case = match source {
             None => self.case(entry, slot, DiffPair::of_sides(None, None, DiffOutcome::Missing)),
             Some(source) => match self.take_over(entry, slot, source) {
-                Ok(()) => self.judge(entry, slot)?,
-                Err(error) => {
-                    let pair = DiffPair::of_sides(None, Some(source), DiffOutcome::Unreadable);
-                    self.case(entry, slot, pair.ended(DiffOutcome::Unreadable, error.to_string()))
-                }
+                Ok(()) => named_after(source, slot, self.judge(entry, slot)?),
+                Err(error) => self.case(entry, slot, self.unreadable(&error)),
             },
         };
         case.timing.seconds = start.elapsed().as_secs_f64();
         Ok(case)
     }
 
-    /// Copies a file to the candidates, a PNG with words on where it was checked; words that it has already stay.
-    fn take_over(&self, entry: &Entry, slot: &Slot, source: &Path) -> Result<()> {
-        let target = self.output.join(slot.candidate());
-        let length = length_of(source)?;
-        if length > self.max_bytes || !starts_like_png(source) {
-            return copy(source, &target);
-        }
-        let bytes = fs::read(source).map_err(Error::io("read", source))?;
-        let (known, provenance) = (texts(source), self.provenance(&entry.id));
-        let new = provenance.iter().filter(|(key, _)| !known.contains_key(*key));
-        let new: Vec<(&str, &str)> = new.map(|(key, value)| (*key, value.as_str())).collect();
-        make_folder_of(&target)?;
-        write_bytes_atomically(&target, &with_png_texts(&bytes, &new).unwrap_or(bytes))
-    }
-
     /// The environment whose goldens an entry has: what something else made belongs to none that we know.
-    fn key(&self, entry: &Entry) -> &str {
+    pub(super) fn key(&self, entry: &Entry) -> &str {
         if entry.drawing().is_some() || self.environment_named { &self.environment.key } else { ANY }
     }
 
@@ -244,11 +201,12 @@ impl Run<'_> {
         let heat = self.output.join(slot.heat());
         let mut pair = match self.compare(entry, slot, &found.path, &candidate) {
             Ok(pair) => pair,
-            Err(error) if error.blame() == Blame::World => {
-                DiffPair::named(&found.path, &candidate).ended(DiffOutcome::Unreadable, error.to_string())
+            Err(error) if error.blame() == Blame::World => self.unreadable(&error),
+            Err(error) if error.blame() == Blame::Interrupt => return Err(error),
+            Err(error) => {
+                let why = format!("its mask or regions do not fit: {error}");
+                DiffPair::of_sides(None, None, DiffOutcome::Failed).ended(DiffOutcome::Failed, why)
             }
-            Err(Error::Request(why)) => return Err(Error::Request(format!("{}: {why}", slot.id))),
-            Err(error) => return Err(error),
         };
         if pair.pictures.is_empty() {
             // Of an earlier run, and wrong now.
@@ -259,7 +217,9 @@ impl Run<'_> {
         pair.expected = Some(slashed(&slot.blessed(self.manifest, &found.golden.environment)));
         pair.actual = Some(slashed(&slot.candidate()));
         let mut case = self.case(entry, slot, pair);
-        case.likely_causes = likely_causes(&found.golden, self.key(entry), self.environment);
+        if case.pair.outcome != DiffOutcome::Same {
+            case.likely_causes = likely_causes(&found.golden, self.key(entry), self.environment);
+        }
         case.golden = Some(found.golden);
         case.candidate_hash = hash_of(&candidate).ok();
         Ok(case)
@@ -268,7 +228,11 @@ impl Run<'_> {
     /// A pair that is different is looked at again, with all metrics: which limit would have passed?
     fn compare(&self, entry: &Entry, slot: &Slot, golden: &Path, candidate: &Path) -> Result<DiffPair> {
         let tolerance = self.manifest.tolerance(entry, &slot.id, self.key(entry), &self.environment.platform);
-        let mask = entry.mask.as_ref().map(|mask| Raster::read(&self.manifest.root.join(mask), self.max_bytes)).transpose()?;
+        let read = |mask: &PathBuf| {
+            let mask = guarded(&self.manifest.root.join(mask), self.max_bytes);
+            mask.map_err(|error| Error::Request(format!("of its mask: {error}")))
+        };
+        let mask = entry.mask.as_ref().map(read).transpose()?;
         let mut settings = Settings {
             limits: tolerance.limits(),
             scope: Scope::new(mask, entry.ignored.clone()),
@@ -288,9 +252,7 @@ impl Run<'_> {
     /// The candidate is left where its golden should be, to be looked at. What cannot be read must not become one.
     fn without_golden(&self, entry: &Entry, slot: &Slot, candidate: &Path) -> CheckedCase {
         if let Err(error) = guarded(candidate, self.max_bytes) {
-            let mut pair =
-                DiffPair::of_sides(None, None, DiffOutcome::Unreadable).ended(DiffOutcome::Unreadable, error.to_string());
-            pair.actual = Some(slashed(&slot.candidate()));
+            let pair = DiffPair { actual: Some(slashed(&slot.candidate())), ..self.unreadable(&error) };
             return self.case(entry, slot, pair);
         }
         let blessed = slot.blessed(self.manifest, self.key(entry));
@@ -305,19 +267,28 @@ impl Run<'_> {
         CheckedCase { candidate_hash: hash_of(candidate).ok(), ..self.case(entry, slot, pair) }
     }
 
+    /// What could not be read or written, in words that are the same whatever the output folder is called.
+    fn unreadable(&self, error: &Error) -> DiffPair {
+        let output = format!("{}/", self.output.display());
+        let why = error.to_string().replace(&output, "");
+        DiffPair::of_sides(None, None, DiffOutcome::Unreadable).ended(DiffOutcome::Unreadable, why)
+    }
+
     fn case(&self, entry: &Entry, slot: &Slot, mut pair: DiffPair) -> CheckedCase {
         pair.lossy = slot.below.to_str().is_none();
+        let mut golden = None;
         if pair.outcome == DiffOutcome::Missing
             && let Some(found) = slot.golden(self.manifest, self.key(entry))
         {
             pair.expected = Some(slashed(&slot.blessed(self.manifest, &found.golden.environment)));
             pair.why = Some("its golden is there, its picture is not".into());
+            golden = Some(found.golden);
         }
         CheckedCase {
             id: slot.id.clone(),
             entry: entry.id.clone(),
             about: entry.about(),
-            golden: None,
+            golden,
             candidate_hash: None,
             blessed_as: slashed(&slot.blessed(self.manifest, self.key(entry))),
             likely_causes: Vec::new(),
@@ -325,50 +296,18 @@ impl Run<'_> {
             timing: CaseTiming { seconds: 0.0 },
         }
     }
+}
 
-    /// Goldens of the environments in use that no entry of the manifest has, relative to its folder.
-    #[must_use]
-    pub fn unused_goldens(&self) -> Vec<String> {
-        let Ok(pictures) = Filter::new(&[], &[]) else { return Vec::new() };
-        let mut unused = Vec::new();
-        for key in [self.environment.key.as_str(), ANY] {
-            let folder = self.manifest.goldens_of(key);
-            if !folder.is_dir() {
-                continue;
-            }
-            let (found, _) = list_one(&folder, &pictures);
-            let used = |below: &PathBuf| is_candidate(below) || self.manifest.entries.iter().any(|entry| uses(entry, below));
-            let unused_here = found.into_iter().filter(|below| !used(below));
-            unused.extend(unused_here.map(|below| slashed(&self.manifest.goldens.join(key).join(below))));
-        }
-        unused.sort();
-        unused.dedup();
-        unused
+/// Words on an unreadable copy are on the picture that it is a copy of.
+fn named_after(source: &Path, slot: &Slot, mut case: CheckedCase) -> CheckedCase {
+    if case.pair.outcome == DiffOutcome::Unreadable {
+        let copy = slashed(&slot.candidate());
+        case.pair.why = case.pair.why.map(|why| why.replace(&copy, &source.to_string_lossy()));
     }
+    case
 }
 
-/// Whether a golden below an environment's folder is an entry's.
-fn uses(entry: &Entry, below: &Path) -> bool {
-    match &entry.subject {
-        Subject::Capture(drawing, _) => below == Slot::drawn(&entry.id, None, drawing.format.extension()).below,
-        Subject::File(path) => below == Slot::file(&entry.id, path).below,
-        Subject::Folder(..) => below.starts_with(&entry.id),
-        Subject::Sequence(drawing, frames) => {
-            let inside = below.strip_prefix(&entry.id).ok();
-            let name = inside.and_then(Path::to_str).and_then(|name| name.strip_suffix(drawing.format.extension()));
-            let frame = name.and_then(|name| name.strip_suffix('.')).and_then(|name| name.parse::<i64>().ok());
-            frame.is_some_and(|frame| frames.contains(&frame))
-        }
-    }
-}
-
-fn is_candidate(below: &Path) -> bool {
-    below.file_name().is_some_and(|name| name.to_string_lossy().contains(CANDIDATE_MARK))
-}
-
-fn starts_like_png(path: &Path) -> bool {
-    let mut head = [0; 8];
-    fs::File::open(path)
-        .and_then(|mut file| std::io::Read::read_exact(&mut file, &mut head))
-        .is_ok_and(|()| head == *b"\x89PNG\r\n\x1a\n")
+/// Whether a picture is one of a report's.
+fn lies_in_report(root: &Path, below: &Path) -> bool {
+    below.ancestors().skip(1).any(|folder| root.join(folder).join("dejag-report.txt").is_file())
 }

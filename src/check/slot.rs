@@ -12,10 +12,10 @@ use crate::suite::Golden;
 use crate::{Error, Result};
 
 /// Folder of candidates below the output folder.
-const CANDIDATES: &str = "candidates";
+pub(super) const CANDIDATES: &str = "candidates";
 
 /// Folder of heat maps below the output folder.
-const DIFFERENCES: &str = "differences";
+pub(super) const DIFFERENCES: &str = "differences";
 
 /// What stands in the name of a candidate that lies where its golden is missing.
 pub(super) const CANDIDATE_MARK: &str = ".candidate.";
@@ -93,13 +93,18 @@ impl Slot {
     }
 }
 
-fn is_absence(error: &io::Error) -> bool {
+pub(super) fn is_absence(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory)
 }
 
 /// Whether a path that results name stays below the folder that it is relative to.
 pub(super) fn is_below(path: &Path) -> bool {
     path.components().all(|part| matches!(part, Component::Normal(_))) && path.file_name().is_some()
+}
+
+/// Whether a file is a candidate that was left where its golden is missing.
+pub(super) fn is_candidate(below: &Path) -> bool {
+    below.file_name().is_some_and(|name| name.to_string_lossy().contains(CANDIDATE_MARK))
 }
 
 /// `edges.candidate.png` beside `edges.png`.

@@ -74,13 +74,20 @@ impl Tolerance {
 pub struct Override {
     /// What ids must match; `*` reaches across `/`.
     pub(super) case: Option<GlobMatcher>,
-    /// The `case` as it is written, by which `bless` finds it again.
     pub(super) environment: Option<GlobMatcher>,
     pub(super) platform: Option<GlobMatcher>,
     pub(super) tolerance: Tolerance,
 }
 
 impl Override {
+    pub(super) fn concerns(&self, id: &str) -> bool {
+        self.case.as_ref().is_none_or(|glob| glob.is_match(id))
+    }
+
+    pub(super) fn depends_on_place(&self) -> bool {
+        self.environment.is_some() || self.platform.is_some()
+    }
+
     pub(super) fn holds(&self, id: &str, environment: &str, platform: &str) -> bool {
         let matches = |glob: &Option<GlobMatcher>, text: &str| glob.as_ref().is_none_or(|glob| glob.is_match(text));
         matches(&self.case, id) && matches(&self.environment, environment) && matches(&self.platform, platform)
@@ -95,6 +102,14 @@ impl Override {
 pub(super) fn glob(pattern: &str) -> Result<GlobMatcher, String> {
     let built = GlobBuilder::new(pattern).backslash_escape(true).build();
     built.map(|glob| glob.compile_matcher()).map_err(|error| format!("{error}; write a pattern such as 'edges-*'"))
+}
+
+/// What stands for more than itself in a pattern.
+const SPECIAL: [char; 9] = ['\\', '*', '?', '[', ']', '{', '}', '!', ','];
+
+/// The pattern that matches this and nothing else.
+pub(super) fn escape(id: &str) -> String {
+    id.chars().flat_map(|c| SPECIAL.contains(&c).then_some('\\').into_iter().chain([c])).collect()
 }
 
 #[cfg(test)]
@@ -124,5 +139,9 @@ mod tests {
         assert!(!some.holds("other", "llvmpipe-mesa-25", "linux-x86_64"));
         assert!(glob("a[").is_err());
         assert!(glob("a\\[b").expect("a glob").is_match("a[b"));
+        for id in ["plain/a.png", "[a-z]*?{x,y}!.png", "c\\d.png"] {
+            let exactly = glob(&escape(id)).expect("a glob");
+            assert!(exactly.is_match(id) && !exactly.is_match("cd.png") && !exactly.is_match("ax.png"), "{id}");
+        }
     }
 }

@@ -82,7 +82,7 @@ pub(super) fn size<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[u32; 2
 /// Frames of a sequence, the last left out.
 pub(super) fn frames<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Range<i64>, D::Error> {
     let parse = |text: &str| {
-        let number = |text: &str| text.trim().parse::<i64>().ok();
+        let number = |text: &str| text.trim().parse::<i64>().ok().filter(|frame| (-MOST_DISTANT..=MOST_DISTANT).contains(frame));
         let range = text.split_once("..").and_then(|(start, end)| Some(number(start)?..number(end)?));
         range.filter(|range| !range.is_empty() && range.end.saturating_sub(range.start) <= MAX_FRAMES).ok_or_else(|| {
             format!("'{text}' are no frames; write 'A..B', such as '0..8', B left out, at most {MAX_FRAMES} of them")
@@ -93,6 +93,9 @@ pub(super) fn frames<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Range
 
 /// Of a sequence in a manifest: each is a picture with a golden of its own.
 const MAX_FRAMES: i64 = 100_000;
+
+/// No scene moves for so long.
+const MOST_DISTANT: i64 = 1_000_000_000;
 
 /// One or several.
 #[derive(Debug, Clone, PartialEq, Eq)]

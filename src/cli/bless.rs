@@ -1,6 +1,6 @@
 //! `dejag bless`: candidates accepted as goldens, and tolerances learnt from runs.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -8,10 +8,11 @@ use clap::Args;
 use super::check::RESULTS;
 use super::output;
 use super::shards::read_results;
-use crate::check::{Blessing, Learned, Manifest, bless, learn};
+use super::watch::check_interrupt;
+use crate::check::{self, Blessing, Lesson, Manifest, learn};
 use crate::error::{Error, Result};
 use crate::picture::write_bytes_atomically;
-use crate::suite::CheckResults;
+use crate::suite::{CheckResults, CheckedCase};
 
 /// Accept candidates of the last check as goldens
 #[derive(Debug, Args)]
@@ -74,25 +75,35 @@ impl Bless {
         if results.manifest != manifest.hash {
             self.say("the manifest has changed since the check; its cases are taken as they were checked");
         }
-        let done = bless(manifest, &results, &folder, &self.cases, self.dry_run)?;
-        for (id, blessing) in &done {
-            self.tell(id, blessing)?;
-        }
-        if done.is_empty() {
+        let bless = check::Bless { manifest, results: &results, output: &folder, dry_run: self.dry_run };
+        let (mut done, mut code) = (0, 0);
+        bless.bless(&self.cases, &mut |case, blessing| {
+            check_interrupt()?;
+            done += 1;
+            code = code.max(match blessing {
+                Blessing::Failed(_) => 3,
+                Blessing::Refused(_) => 1,
+                _ => 0,
+            });
+            self.tell(case, blessing)
+        })?;
+        if done == 0 {
             output::say("nothing to do: nothing failed in the last check");
             return Ok(ExitCode::from(4));
         }
-        let left = done.iter().any(|(_, blessing)| matches!(blessing, Blessing::Refused { .. }));
-        Ok(if left { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+        Ok(ExitCode::from(code))
     }
 
-    fn tell(&self, id: &str, blessing: &Blessing) -> anyhow::Result<()> {
-        let id = id.replace(char::is_control, "\u{fffd}");
+    fn tell(&self, case: &CheckedCase, blessing: &Blessing) -> anyhow::Result<()> {
+        let plain = |text: &str| text.replace(char::is_control, "\u{fffd}");
+        let (id, golden) = (plain(&case.id), plain(&case.blessed_as));
         match blessing {
-            Blessing::Replaced { golden } if !self.quiet => output::print(&format!("replaced   {id}: {golden}")),
-            Blessing::Added { golden } if !self.quiet => output::print(&format!("added      {id}: {golden}")),
-            Blessing::Refused { why } => output::print(&format!("left alone {id}: {why}")),
-            _ => Ok(()),
+            Blessing::Refused(why) => output::print(&format!("left alone {id}: {}", plain(why))),
+            Blessing::Failed(why) => output::print(&format!("failed     {id}: {}", plain(why))),
+            _ if self.quiet => Ok(()),
+            Blessing::Replaced => output::print(&format!("replaced   {id}: {golden}")),
+            Blessing::Added => output::print(&format!("added      {id}: {golden}")),
+            Blessing::Already => output::print(&format!("golden     {id}: {golden} already")),
         }
     }
 
@@ -102,12 +113,13 @@ impl Bless {
         let learned = learn(manifest, &text, &runs, self.force)?;
         self.say(&format!("environments seen: {}", learned.environments.join(", ")));
         if !self.dry_run && learned.text != text {
-            check_effective(manifest, &learned)?;
+            // What is written must read back; it is our fault if it does not.
+            Manifest::parse(&manifest.path, learned.text.as_bytes())?;
             write_bytes_atomically(&manifest.path, learned.text.as_bytes())?;
         }
         for lesson in &learned.lessons {
-            let (key, before, after) = (lesson.key, lesson.before, lesson.after);
-            output::print(&format!("{} {key}: {before} -> {after}", lesson.case))?;
+            let Lesson { case, key, before, after } = lesson;
+            output::print(&format!("{case} {key}: {before} -> {after}"))?;
         }
         for (case, why) in &learned.refused {
             output::print(&format!("left alone {case}: {why}"))?;
@@ -123,10 +135,4 @@ impl Bless {
             output::say(words);
         }
     }
-}
-
-/// What was written must read back; it is our fault if it does not.
-fn check_effective(manifest: &Manifest, learned: &Learned) -> Result<()> {
-    let path: &Path = &manifest.path;
-    Manifest::parse(path, learned.text.as_bytes()).map(drop)
 }

@@ -1,6 +1,5 @@
 //! `dejag merge`: the parts of a run put together.
 
-use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -93,7 +92,8 @@ impl Merge {
         }
         let root = self.manifest.parent().unwrap_or(Path::new(""));
         reports.finish(&results, &self.manifest, |case| merged_places(case, root, &folders))?;
-        self.reports.show(&results, self.verbose, self.quiet)
+        let from = self.output.as_deref().map_or_else(|| "SHARD".to_owned(), |output| format!("'{}'", output.display()));
+        self.reports.show(&results, self.verbose, self.quiet, &format!("dejag bless --from {from}"))
     }
 
     fn scores(&self, shards: &Parts<Results>) -> anyhow::Result<ExitCode> {
@@ -127,8 +127,7 @@ impl Merge {
             None => {}
         }
         if self.reports.json.as_deref() != Some(Path::new("-")) {
-            let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-            output::print(&table(std::io::stdout().is_terminal() && !no_color))?;
+            output::print(&table(output::is_colored()))?;
         }
         Ok(ExitCode::SUCCESS)
     }

@@ -1,6 +1,7 @@
 //! Writing results: checked before the work, whole or not at all.
 
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, IsTerminal as _, Read as _};
 use std::path::Path;
 
 use anyhow::Context as _;
@@ -13,6 +14,22 @@ pub(super) fn check_file(path: &Path) -> Result<FileFormat> {
     let format = FileFormat::of_path(path)?;
     check_folder_of(path)?;
     Ok(format)
+}
+
+/// As [`check_folder_of`], of results that begin like this: what holds something else is somebody's, and not ours to replace.
+pub(super) fn check_results(path: &Path, start: &str) -> Result<()> {
+    check_folder_of(path)?;
+    // Pipes and devices are written to, and must not be waited for.
+    let holds_something = fs::metadata(path).is_ok_and(|what| what.is_file() && what.len() > 0);
+    if holds_something && !begins_like(path, start) {
+        return Err(Error::Request(format!("{} is there already and holds something else; name another file", path.display())));
+    }
+    Ok(())
+}
+
+fn begins_like(path: &Path, start: &str) -> bool {
+    let mut head = vec![0; start.len()];
+    File::open(path).and_then(|mut file| file.read_exact(&mut head)).is_ok() && head == start.as_bytes()
 }
 
 /// The folder that will hold `path` must exist and take a file.
@@ -30,6 +47,11 @@ pub(super) fn check_folder_of(path: &Path) -> Result<()> {
 /// The folder must exist and take a file.
 pub(super) fn check_writable(folder: &Path) -> Result<()> {
     tempfile::tempfile_in(folder).map(drop).map_err(Error::io("write into", folder))
+}
+
+/// Whether what is printed may have colours: on a terminal, unless the user wants none (no-color.org).
+pub(super) fn is_colored() -> bool {
+    io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
 /// One line of data, or many, on stdout.

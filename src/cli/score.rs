@@ -1,6 +1,5 @@
 //! `dejag score`: methods on scenes, speed against error.
 
-use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -211,8 +210,7 @@ impl Score {
         if self.json.as_deref() == Some(Path::new("-")) {
             output::print(&report::json(results))?;
         } else {
-            let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-            output::print(&report::table(results, std::io::stdout().is_terminal() && !no_color))?;
+            output::print(&report::table(results, output::is_colored()))?;
         }
         if let (Some(folder), false) = (&self.report, self.drawing.quiet) {
             let page = std::path::absolute(folder.join("index.html")).context("finding the report")?;

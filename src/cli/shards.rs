@@ -7,7 +7,10 @@ use clap::Args;
 use serde::de::DeserializeOwned;
 
 use crate::error::{Error, Result};
-use crate::suite::{CheckResults, Results, SequenceMethod, SequenceOutcome, SequenceResults, Shard, ShardStamp};
+use crate::suite::{
+    CHECK_SCHEMA_VERSION, CheckResults, Results, SCHEMA_VERSION, SEQUENCE_SCHEMA_VERSION, SequenceMethod, SequenceOutcome,
+    SequenceResults, Shard, ShardStamp,
+};
 
 /// Which part of a run.
 #[derive(Debug, Args)]
@@ -24,6 +27,11 @@ pub(super) struct ShardOptions {
 pub(super) trait Kind: DeserializeOwned {
     /// What they are, in words.
     const WHAT: &str;
+    /// The shape that this program reads.
+    const VERSION: u32;
+
+    /// The shape that they have.
+    fn version(&self) -> u32;
 
     /// How long each thing that is dealt took, by id; in any unit, seconds if there is more than one of a thing.
     fn costs(&self) -> Vec<(String, f64)>;
@@ -57,7 +65,13 @@ pub(super) fn is_idle(shard: Option<&ShardStamp>) -> bool {
 
 /// Results that an earlier run wrote.
 pub(super) fn read_results<R: Kind>(path: &Path) -> Result<R> {
-    read_json(path, R::WHAT)
+    let results: R = read_json(path, R::WHAT)?;
+    if results.version() == R::VERSION {
+        return Ok(results);
+    }
+    let message =
+        format!("it has the shape {}, and this program reads {}; make it with this version", results.version(), R::VERSION);
+    Err(Error::Format { path: path.to_path_buf(), expected: R::WHAT, message })
 }
 
 /// What a file has as JSON; `expected` says what that should be.
@@ -69,6 +83,11 @@ pub(super) fn read_json<T: DeserializeOwned>(path: &Path, expected: &'static str
 
 impl Kind for CheckResults {
     const WHAT: &str = "result of `dejag check`";
+    const VERSION: u32 = CHECK_SCHEMA_VERSION;
+
+    fn version(&self) -> u32 {
+        self.schema_version
+    }
 
     fn costs(&self) -> Vec<(String, f64)> {
         self.cases.iter().map(|case| (case.entry.clone(), case.timing.seconds)).collect()
@@ -77,6 +96,11 @@ impl Kind for CheckResults {
 
 impl Kind for Results {
     const WHAT: &str = "result of `dejag score`";
+    const VERSION: u32 = SCHEMA_VERSION;
+
+    fn version(&self) -> u32 {
+        self.schema_version
+    }
 
     fn costs(&self) -> Vec<(String, f64)> {
         self.scenes.iter().map(|scene| (scene.name.clone(), scene.timing.seconds)).collect()
@@ -85,6 +109,11 @@ impl Kind for Results {
 
 impl Kind for SequenceResults {
     const WHAT: &str = "result of `dejag sequence`";
+    const VERSION: u32 = SEQUENCE_SCHEMA_VERSION;
+
+    fn version(&self) -> u32 {
+        self.schema_version
+    }
 
     /// By the time of a frame, of which all methods have as many.
     fn costs(&self) -> Vec<(String, f64)> {

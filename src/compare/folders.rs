@@ -27,7 +27,9 @@ impl Filter {
         Ok(Self { include: (!include.is_empty()).then(|| globs(include)).transpose()?, exclude: globs(exclude)? })
     }
 
-    fn takes(&self, path: &Path) -> bool {
+    /// Whether it takes a path below a folder.
+    #[must_use]
+    pub fn takes(&self, path: &Path) -> bool {
         let wanted = self.include.as_ref().map_or_else(|| FileKind::is_readable_name(path), |globs| globs.is_match(path));
         wanted && !self.exclude.is_match(path)
     }

@@ -21,7 +21,7 @@ const SUMMARY_BYTES: usize = 1_000_000;
 /// Characters of a cell in the summary's table, and of a line above it.
 const CELL: usize = 200;
 
-/// Workflow commands, a line each, for the step's standard output: an error for each picture that is not the same, of more than nine
+/// Workflow commands, a line each, for the step's output: an error for each picture that is not the same, of more than nine
 /// the first nine and how many more there are; a notice with what probably caused them; a warning of goldens that no case uses.
 /// `manifest` is the file that they are attached to, relative to the repository.
 #[must_use]

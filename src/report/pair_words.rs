@@ -54,6 +54,9 @@ fn option(pair: &DiffPair, knob: &Knob, value: f64) -> String {
 
 fn of_pixels(pixels: &PixelFigures) -> Vec<String> {
     let PixelFigures { compared, differing, bounds, worst } = pixels;
+    if *compared == 0 {
+        return vec!["mask and regions leave no pixel to compare".into()];
+    }
     let Some(worst) = worst else {
         return vec![format!("all {compared} compared pixels are equal")];
     };

@@ -31,7 +31,7 @@ pub struct CheckResults {
     pub shard: Option<ShardStamp>,
     /// How many pictures came out how.
     pub counts: OutcomeCounts,
-    /// Goldens of this environment that no case uses; empty if only some cases were run.
+    /// Goldens of this environment that no case of the manifest uses, whichever of them were run.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unused_goldens: Vec<String>,
     /// In the order of the manifest.

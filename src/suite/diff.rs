@@ -59,7 +59,7 @@ pub enum DiffOutcome {
     Unreadable,
     /// Mask and ignored regions leave no pixel to compare.
     Uncounted,
-    /// The candidate could not be drawn. Only of `check`.
+    /// The candidate could not be drawn, or its mask or regions do not fit it. Only of `check`.
     Failed,
 }
 

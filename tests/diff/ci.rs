@@ -78,7 +78,7 @@ fn arguments_reach_the_program_one_a_line_and_its_exit_code_is_kept() {
     let output = bash.output().expect("bash runs");
     assert_eq!(output.status.code(), Some(3), "{}", String::from_utf8_lossy(&output.stderr));
     let said = fs::read_to_string(desk.path("said")).expect("it was called");
-    let wanted = "check --manifest|a b.toml|--output out --report out/report --junit out/junit.xml --json out/results.json \
+    let wanted = "check --manifest|a b.toml|--output out --report out/report --junit out/junit.xml \
         --shard 2/4 edges/*|$(touch broken) `id`; \"";
     let joined: Vec<&str> = wanted.split('|').collect();
     let words = [joined[0].split(' ').collect(), vec![joined[1]], joined[2].split(' ').collect(), vec![joined[3]]].concat();

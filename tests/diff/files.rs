@@ -46,6 +46,16 @@ fn bytes_decide_not_names() {
 }
 
 #[test]
+fn results_take_no_picture_s_place() {
+    let desk = desk();
+    let before = fs::read(desk.path("a.png")).expect("there");
+    for option in ["--json", "--junit"] {
+        desk.line(&format!("a.png a.png {option} a.png")).ended(2, &["holds something else"]);
+    }
+    assert_eq!(fs::read(desk.path("a.png")).expect("there"), before);
+}
+
+#[test]
 fn a_bad_checksum_is_an_error() {
     let desk = desk();
     let mut bytes = fs::read(desk.path("a.png")).expect("there");

@@ -30,17 +30,12 @@ mod with_gpu {
     impl DrawOptions {
         /// Nothing if nothing of what is selected is drawn; otherwise everything of one's own makes sense. All shards of a run open a
         /// device or none does, so that they agree on the environment.
-        pub(in super::super) fn open(
-            &self,
-            manifest: &Manifest,
-            selected: &[&Entry],
-            own: &[&Entry],
-        ) -> Result<Option<AnyDrawer>> {
+        pub(in super::super) fn open(&self, manifest: &Manifest, selected: &[&Entry]) -> Result<Option<AnyDrawer>> {
             if selected.iter().all(|entry| entry.drawing().is_none()) {
                 return Ok(None);
             }
-            let mut darkroom = Darkroom::new(Gpu::open(&self.adapter)?, &manifest.root, check_interrupt);
-            for entry in own.iter().filter(|entry| entry.drawing().is_some()) {
+            let mut darkroom = Darkroom::new(Gpu::open(&self.adapter)?, &manifest.root, check_interrupt)?;
+            for entry in selected.iter().filter(|entry| entry.drawing().is_some()) {
                 darkroom.source(&entry.subject).map_err(|error| match error {
                     Error::Request(why) => Error::Request(format!("{}: {why}", entry.id)),
                     other => other,
@@ -82,7 +77,7 @@ mod without_gpu {
 
     impl DrawOptions {
         /// Refuses what is to be drawn.
-        pub(in super::super) fn open(&self, _: &Manifest, selected: &[&Entry], _: &[&Entry]) -> Result<Option<AnyDrawer>> {
+        pub(in super::super) fn open(&self, _: &Manifest, selected: &[&Entry]) -> Result<Option<AnyDrawer>> {
             match selected.iter().find(|entry| entry.drawing().is_some()) {
                 None => Ok(None),
                 Some(entry) => Err(Error::Request(format!(

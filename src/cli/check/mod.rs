@@ -3,8 +3,8 @@
 mod ci;
 mod draw;
 
-use std::collections::BTreeMap;
-use std::io::IsTerminal as _;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -14,13 +14,13 @@ use clap::Args;
 use self::draw::DrawOptions;
 use super::diff::parse_bytes;
 use super::output;
-use super::shards::{ShardOptions, is_idle, is_own, read_results};
+use super::shards::{ShardOptions, is_idle, read_results};
 use super::watch::{Bar, check_interrupt};
-use crate::check::{Entry, Journal, Manifest, Run};
-use crate::error::Result;
+use crate::check::{Entry, Journal, Manifest, Run, check_key};
+use crate::error::{Error, Result};
 use crate::picture::write_bytes_atomically;
 use crate::report::{self, CasePictures, CheckReport};
-use crate::suite::{CHECK_SCHEMA_VERSION, CheckResults, CheckedCase, OutcomeCounts, Shard, ShardStamp};
+use crate::suite::{CHECK_SCHEMA_VERSION, CheckResults, CheckedCase, DiffOutcome, OutcomeCounts, Shard, ShardStamp};
 
 /// The results' name in the output folder, where `bless` finds them.
 pub(super) const RESULTS: &str = "check.json";
@@ -101,21 +101,35 @@ pub(super) struct ReportOptions {
 impl Check {
     pub(super) fn run(&self) -> anyhow::Result<ExitCode> {
         let manifest = Manifest::read(&self.manifest)?;
+        self.environment.as_deref().map_or(Ok(()), check_key)?;
         let selected = manifest.select(&self.cases)?;
+        let ids: Vec<&str> = selected.iter().map(|entry| entry.id.as_str()).collect();
+        let shard = self.shards.deal::<CheckResults>(&ids)?;
         if self.list {
-            let ids: Vec<&str> = selected.iter().map(|entry| entry.id.as_str()).collect();
-            output::print(&ids.join("\n"))?;
+            let own = shard.map_or_else(|| ids.join("\n"), |shard| shard.own.join("\n"));
+            output::print(&own)?;
             return Ok(ExitCode::SUCCESS);
         }
         let reports = self.reports.begin()?;
-        let ids: Vec<&str> = selected.iter().map(|entry| entry.id.as_str()).collect();
-        let shard = self.shards.deal::<CheckResults>(&ids)?;
         let output = self.output_folder(&manifest);
+        let path = output.join(RESULTS);
         let results = self.check(&manifest, &selected, shard, &output)?;
-        write_bytes_atomically(&output.join(RESULTS), report::json(&results).as_bytes())?;
+        write_bytes_atomically(&path, report::json(&results).as_bytes())?;
         let place = |case: &CheckedCase| places(case, &manifest.root, &output);
         reports.finish(&results, &self.manifest, place)?;
-        self.reports.show(&results, self.verbose, self.quiet)
+        self.reports.show(&results, self.verbose, self.quiet, &self.bless(&output))
+    }
+
+    /// The command that accepts what this run found.
+    fn bless(&self, output: &Path) -> String {
+        let mut words = vec!["dejag bless".to_owned()];
+        if self.manifest != Path::new("dejag.toml") {
+            words.push(format!("--manifest '{}'", self.manifest.display()));
+        }
+        if self.output.is_some() || self.shards.shard.is_some() {
+            words.push(format!("--from '{}'", output.display()));
+        }
+        words.join(" ")
     }
 
     /// Shards of one run must not write over each other.
@@ -134,8 +148,10 @@ impl Check {
         shard: Option<ShardStamp>,
         output: &Path,
     ) -> anyhow::Result<CheckResults> {
-        let entries: Vec<&Entry> = selected.iter().copied().filter(|entry| is_own(shard.as_ref(), &entry.id)).collect();
-        let mut drawer = self.draw.open(manifest, selected, &entries)?;
+        let own: Option<BTreeSet<&String>> = shard.as_ref().map(|shard| shard.own.iter().collect());
+        let is_own = |entry: &&Entry| own.as_ref().is_none_or(|own| own.contains(&entry.id));
+        let entries: Vec<&Entry> = selected.iter().copied().filter(is_own).collect();
+        let mut drawer = self.draw.open(manifest, selected)?;
         let stamp = drawer.as_ref().map(draw::AnyDrawer::stamp);
         let environment = crate::check::environment(self.environment.as_deref(), stamp);
         let run = Run {
@@ -146,6 +162,8 @@ impl Check {
             max_bytes: self.max_memory,
             watch: check_interrupt,
         };
+        // Should this run not get to its end, the results of another must not stand for its own.
+        remove(&output.join(RESULTS))?;
         let mut journal = Journal::open(output, self.resume)?;
         let mut bar = Bar::new(entries.len() as u64, self.quiet || entries.len() < 2);
         let mut done = 0;
@@ -179,6 +197,16 @@ impl Check {
     }
 }
 
+/// A file that may not be there.
+fn remove(path: &Path) -> Result<()> {
+    match std::fs::remove_file(path) {
+        Err(error) if !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
+            Err(Error::io("remove", path)(error))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Where a case's pictures lie on this machine.
 fn places(case: &CheckedCase, root: &Path, output: &Path) -> CasePictures {
     CasePictures {
@@ -207,18 +235,18 @@ impl ReportOptions {
     }
 
     pub(super) fn begin(&self) -> Result<Reports<'_>> {
-        self.json_file().into_iter().chain(self.junit.as_deref()).try_for_each(output::check_folder_of)?;
+        self.json_file().map_or(Ok(()), |path| output::check_results(path, "{"))?;
+        self.junit.as_deref().map_or(Ok(()), |path| output::check_results(path, "<?xml"))?;
         let history = self.history.iter().map(|path| read_results(path)).collect::<Result<_>>()?;
         Ok(Reports { options: self, page: self.report.as_deref().map(CheckReport::begin).transpose()?, history })
     }
 
     /// Says what came of it, and with which exit code.
-    pub(super) fn show(&self, results: &CheckResults, verbose: bool, quiet: bool) -> anyhow::Result<ExitCode> {
+    pub(super) fn show(&self, results: &CheckResults, verbose: bool, quiet: bool, bless: &str) -> anyhow::Result<ExitCode> {
         if self.json.as_deref() == Some(Path::new("-")) {
             output::print(&report::json(results))?;
         } else {
-            let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-            let text = report::check_text(results, verbose, std::io::stdout().is_terminal() && !no_color);
+            let text = report::check_text(results, verbose, output::is_colored());
             if !text.is_empty() {
                 output::print(&text)?;
             }
@@ -235,8 +263,9 @@ impl ReportOptions {
             _ if !quiet => output::say(&summary),
             _ => {}
         }
-        if code == 1 && !quiet {
-            output::say("look at them; `dejag bless` accepts them, all or by name");
+        let can_be_blessed = |case: &CheckedCase| case.candidate_hash.is_some() && case.pair.outcome != DiffOutcome::Same;
+        if code == 1 && !quiet && results.cases.iter().any(can_be_blessed) {
+            output::say(&format!("look at them; what is right: {bless} ID..., or without an ID for all"));
         }
         Ok(ExitCode::from(code))
     }

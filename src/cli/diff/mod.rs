@@ -4,7 +4,6 @@ mod limits;
 mod targets;
 mod work;
 
-use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -78,7 +77,8 @@ pub(super) struct Diff {
 impl Diff {
     pub(super) fn run(&self) -> anyhow::Result<ExitCode> {
         let json = self.json.as_deref().filter(|path| *path != Path::new("-"));
-        [json, self.junit.as_deref()].into_iter().flatten().try_for_each(output::check_folder_of)?;
+        json.map_or(Ok(()), |path| output::check_results(path, "{"))?;
+        self.junit.as_deref().map_or(Ok(()), |path| output::check_results(path, "<?xml"))?;
         let settings = self.limits.settings(self.max_memory, check_interrupt)?;
         let results = self.compare(&settings)?;
         if let Some(path) = json {
@@ -135,8 +135,7 @@ impl Diff {
         if self.json.as_deref() == Some(Path::new("-")) {
             output::print(&report::json(results))?;
         } else {
-            let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-            let text = report::diff_text(results, self.verbose, std::io::stdout().is_terminal() && !no_color);
+            let text = report::diff_text(results, self.verbose, output::is_colored());
             if !text.is_empty() {
                 output::print(&text)?;
             }

@@ -1,6 +1,5 @@
 //! Where figures and pictures go.
 
-use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -81,7 +80,6 @@ impl Figures {
         if self.json.is_some() && self.file().is_none() {
             return output::print(&report::json(&rows));
         }
-        let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-        output::print(&table(rows, std::io::stdout().is_terminal() && !no_color))
+        output::print(&table(rows, output::is_colored()))
     }
 }

@@ -4,7 +4,6 @@ mod bars;
 mod pictures;
 
 use std::collections::BTreeSet;
-use std::io::IsTerminal as _;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -226,8 +225,7 @@ impl Sequence {
         if self.json.as_deref() == Some(Path::new("-")) {
             return output::print(&report::json(results));
         }
-        let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-        output::print(&report::sequence_table(results, std::io::stdout().is_terminal() && !no_color))
+        output::print(&report::sequence_table(results, output::is_colored()))
     }
 }
 

@@ -54,7 +54,7 @@ fn only_what_is_named_is_blessed() {
     desk.dejag("check").ended(1, &["2 same, 1 different"]);
     desk.dejag("bless shots/same.png").ended(0, &["replaced shots/same.png"]);
     desk.dejag("bless shots/nothing").ended(2, &["unknown case 'shots/nothing'"]);
-    desk.dejag("bless shots/*").ended(1, &["replaced shots/a.png", "left alone shots/same.png: it is the golden already"]);
+    desk.dejag("bless shots/*").ended(0, &["replaced shots/a.png", "golden shots/same.png: goldens/any/shots/same.png already"]);
 }
 
 #[test]
@@ -93,12 +93,42 @@ fn an_output_folder_from_elsewhere() {
 }
 
 #[test]
+fn what_cannot_be_blessed_does_not_stop_the_others_and_each_is_told() {
+    let desk = desk();
+    for name in ["a", "b", "c"] {
+        desk.put(format!("shots/{name}.png"), &other());
+        desk.put(format!("goldens/any/shots/{name}.png"), &picture(&levels()));
+    }
+    desk.dejag("check").ended(1, &["3 different"]);
+    fs::remove_file(desk.path("dejag-check/candidates/shots/b.png")).expect("removed");
+    desk.dejag("bless").ended(3, &["replaced shots/a.png", "failed shots/b.png: could not read", "replaced shots/c.png"]);
+    desk.dejag("check").ended(1, &["2 same, 1 different"]);
+}
+
+#[test]
+fn a_name_that_looks_like_a_pattern_is_a_name_first() {
+    let desk = desk();
+    for name in ["a", "b", "[ab]"] {
+        desk.put(format!("shots/{name}.png"), &other());
+        desk.put(format!("goldens/any/shots/{name}.png"), &picture(&levels()));
+    }
+    desk.dejag("check").ended(1, &["3 different"]);
+    let ran = desk.dejag("bless shots/[ab].png");
+    ran.ended(0, &["replaced shots/[ab].png"]);
+    assert_eq!(ran.stdout.lines().count(), 1, "{ran}");
+    desk.dejag("bless shots/[a]*").ended(0, &["replaced shots/a.png"]);
+    desk.dejag("check").ended(1, &["2 same, 1 different"]);
+}
+
+#[test]
 fn results_that_lead_out_of_their_folders_are_refused() {
     let desk = failing();
     let text = fs::read_to_string(desk.path("dejag-check/check.json")).expect("there");
     for (key, inside, outside) in [
         ("blessed_as", "goldens/any/shots/a.png", "../outside.png"),
         ("blessed_as", "goldens/any/shots/a.png", "/tmp/outside.png"),
+        ("blessed_as", "goldens/any/shots/a.png", "goldens/any/shots/same.png"),
+        ("blessed_as", "goldens/any/shots/a.png", "goldens/other/shots/a.png"),
         ("actual", "candidates/shots/a.png", "../../secret.png"),
     ] {
         desk.write(

@@ -44,7 +44,7 @@ fn hostile_names() {
     desk.dejag("bless").ended(1, &["left alone", "not UTF-8"]);
     assert_eq!(counts(&desk), [("different".to_owned(), 1), ("same".to_owned(), 7)]);
     let named = super::super::desk::Ran::of(desk.command().args(["bless", "shots/[a-z]*?{x}\\.png", "--dry-run"]));
-    named.ended(1, &["left alone shots/[a-z]*?{x}\\.png: it is the golden already"]);
+    named.ended(0, &["golden shots/[a-z]*?{x}\\.png:", "already"]);
 }
 
 #[cfg(unix)]
@@ -68,6 +68,9 @@ fn links_pipes_and_folders_in_the_way() {
     let case = results["cases"].as_array().expect("cases").iter().find(|case| case["id"] == "shots/b.png").expect("there");
     assert_eq!(case["outcome"], "unreadable");
     desk.dejag("bless shots/b.png").ended(1, &["left alone"]);
+    link("nowhere.png", "shots/lost.png");
+    desk.write("dejag.toml", "[[files]]\nid = 'shots/a'\nfile = 'shots/lost.png'\n");
+    desk.dejag("check").ended(3, &["unreadable", "shots/lost.png"]);
     assert!(fs::symlink_metadata(desk.path("goldens/any/shots/b.png")).expect("there").is_symlink());
 }
 
@@ -113,6 +116,17 @@ fn where_a_file_cannot_be_written_the_others_are() {
 }
 
 #[test]
+fn a_picture_named_like_a_left_candidate_takes_no_golden_s_place() {
+    let desk = desk();
+    desk.put("shots/b.png", &other());
+    desk.put("shots/b.candidate.png", &other());
+    desk.put("goldens/any/shots/b.candidate.png", &picture(&levels()));
+    let (code, results) = json(&desk, "");
+    assert_eq!((code, &results["counts"]["new"], &results["counts"]["unreadable"]), (3, &1.into(), &1.into()));
+    desk.dejag("check").ended(3, &["'.candidate.' in its name"]);
+}
+
+#[test]
 fn a_folder_that_holds_the_goldens_and_the_output_is_not_its_own_picture() {
     let desk = desk();
     desk.write("dejag.toml", "[[files]]\nid = 'all'\nfolder = '.'\n");
@@ -120,7 +134,16 @@ fn a_folder_that_holds_the_goldens_and_the_output_is_not_its_own_picture() {
         let (_, results) = json(&desk, "");
         let ids: Vec<_> = results["cases"].as_array().expect("cases").iter().map(|case| case["id"].clone()).collect();
         assert_eq!(ids, ["all/shots/a.png"]);
+        desk.put("goldens/any/all/shots/a.png", &picture(&levels()));
+        desk.dejag("check --report some/report --output elsewhere").ended(0, &["1 same"]);
+        desk.dejag("check --shard 1/1").ended(0, &["1 same"]);
     }
+    // Pictures may lie in the output folder itself.
+    desk.write("dejag.toml", "output = 'shots'\n[[files]]\nid = 'all/shots'\nfolder = 'shots'\n");
+    desk.dejag("check").ended(0, &["1 same"]);
+    desk.dejag("check").ended(0, &["1 same"]);
+    desk.write("dejag.toml", "[[files]]\nid = 'a'\nfolder = 'shots/a.png'\n");
+    desk.dejag("check").ended(3, &["is a file; name it with `file`"]);
 }
 
 #[cfg(unix)]

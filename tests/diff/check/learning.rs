@@ -54,7 +54,7 @@ fn nothing_becomes_wider_from_one_environment_or_a_failing_case() {
     let desk = runs("per-channel = '9/255'");
     manifest(&desk, "per-channel = '1/255'");
     let before = text(&desk);
-    desk.dejag("bless --update-tolerance two.json").ended(1, &["left alone shots/a.png", "from one environment only"]);
+    desk.dejag("bless --update-tolerance two.json").ended(1, &["left alone shots/a.png", "seen in one environment only"]);
     assert_eq!(text(&desk), before);
     // Under limits that were wider then, the case passed on both.
     desk.dejag("bless --update-tolerance one.json two.json --dry-run").ended(0, &["per-channel"]);
@@ -64,6 +64,48 @@ fn nothing_becomes_wider_from_one_environment_or_a_failing_case() {
     assert_eq!(text(&desk), before);
     desk.dejag("bless --update-tolerance failing.json --force").ended(0, &["per-channel"]);
     desk.dejag("check --environment two").ended(0, &[]);
+}
+
+#[test]
+fn the_order_of_runs_and_what_they_lack_make_nothing_wider() {
+    let desk = runs("per-channel = '1/255'");
+    desk.put("shots/b.png", &changed(&[]));
+    desk.put("goldens/any/shots/b.png", &changed(&[]));
+    desk.dejag("check --environment three --json three.json").ended(1, &[]);
+    let before = text(&desk);
+    for runs in ["one.json two.json", "two.json one.json"] {
+        desk.dejag(&format!("bless --update-tolerance {runs}")).ended(1, &["left alone shots/a.png", "it fails on two"]);
+        assert_eq!(text(&desk), before);
+    }
+    // Two environments in all, but only one of this picture.
+    desk.dejag("check shots --environment four --json four.json");
+    desk.write("shots/a.png", fs::read(desk.path("shots/b.png")).expect("there"));
+    fs::remove_file(desk.path("shots/a.png")).expect("removed");
+    fs::remove_file(desk.path("goldens/any/shots/a.png")).expect("removed");
+    desk.dejag("check --environment five --json five.json").ended(0, &[]);
+    desk.dejag("bless --update-tolerance two.json five.json")
+        .ended(1, &["left alone shots/a.png", "one environment only, two on"]);
+}
+
+#[test]
+fn limits_by_environment_are_left_to_their_author() {
+    let desk = runs("per-channel = '9/255'");
+    let over = "[[override]]\nenvironment = 'nobody-*'\ntolerance = { per-channel = '1/255' }\n";
+    desk.write("dejag.toml", format!("{}{over}", text(&desk)));
+    desk.dejag("bless --update-tolerance one.json two.json").ended(1, &["edit those overrides yourself"]);
+}
+
+#[test]
+fn a_lesson_holds_over_what_stands_below_it_and_over_any_name() {
+    let desk = runs("per-channel = '9/255'");
+    let overs = "[[override]]\ncase = 'shots/a.png'\ntolerance = { per-channel = '8/255' }\n\
+                 [[override]]\ncase = 'shots/*'\ntolerance = { per-channel = '7/255' }\n";
+    desk.write("dejag.toml", format!("{}{overs}", text(&desk)));
+    desk.dejag("bless --update-tolerance one.json two.json").ended(0, &["per-channel: \"7/255\" -> \"4/255\""]);
+    desk.dejag("bless --update-tolerance one.json two.json").ended(0, &["nothing to do"]);
+    desk.dejag("check --environment two").ended(0, &[]);
+    desk.put("shots/a.png", &changed(&[(3, 4, 0, 5)]));
+    desk.dejag("check --environment two").ended(1, &[]);
 }
 
 #[test]

@@ -21,7 +21,7 @@ fn comes_to(desk: &Desk, outcome: &str, code: i32, words: &[&str]) -> Value {
     let elements = junit::read(&fs::read_to_string(desk.path("junit.xml")).expect("written"));
     let expected = match outcome {
         "same" => [0, 0],
-        "unreadable" => [0, 1],
+        "unreadable" | "failed" => [0, 1],
         _ => [1, 0],
     };
     assert_eq!(["failure", "error"].map(|name| junit::named(&elements, name).len()), expected, "{elements:?}");
@@ -46,7 +46,7 @@ fn different() {
         "each would pass alone: --max-pixels 3; --per-channel 9/255; --max-rmse 0.0008",
         "--max-flip",
         "written: differences/shots/a.png.heat.png",
-        "`dejag bless` accepts them",
+        "what is right: dejag bless",
     ];
     let case = comes_to(&desk, "different", 1, &words);
     assert!(desk.path("dejag-check").join(case["pictures"][0].as_str().expect("a path")).is_file());
@@ -132,7 +132,10 @@ fn uncounted() {
     desk.put("mask.png", &picture(&[255; 32 * 24 * 4]));
     comes_to(&desk, "different", 1, &[]);
     desk.put("mask.png", &picture(&levels()).crop(0, 0, 31, 24).expect("inside"));
-    desk.dejag("check").ended(2, &["mask"]);
+    comes_to(&desk, "failed", 3, &["its mask or regions do not fit", "31x24"]);
+    fs::remove_file(desk.path("mask.png")).expect("removed");
+    comes_to(&desk, "failed", 3, &["of its mask: could not read"]);
+    desk.dejag("bless").ended(1, &["left alone"]);
 }
 
 #[test]
@@ -152,9 +155,22 @@ fn manifests_that_make_no_sense_and_requests_that_do_not_either() {
     desk.dejag("check --manifest absent.toml").ended(3, &["absent.toml", "docs/check.md"]);
     desk.dejag("check nothing").ended(2, &["unknown case 'nothing'", "known: shots"]);
     desk.dejag("check shots").ended(0, &[]);
+    desk.dejag("check shots/a.png").ended(0, &["1 same"]);
+    for taken in ["dejag.toml", "shots/a.png", "goldens/any/shots/a.png"] {
+        let before = fs::read(desk.path(taken)).expect("there");
+        for option in ["--json", "--junit"] {
+            desk.dejag(&format!("check {option} {taken}")).ended(2, &["is there already and holds something else"]);
+        }
+        assert_eq!(fs::read(desk.path(taken)).expect("there"), before);
+    }
+    desk.dejag("check --json r.json --junit r.xml").ended(0, &[]);
+    desk.dejag("check --json r.json --junit r.xml").ended(0, &[]);
     desk.dejag("check --costs x.json").ended(2, &["--shard"]);
     desk.dejag("check --shard 3/2").ended(2, &["is no shard"]);
     desk.dejag("check --list").ended(0, &["shots"]);
+    for key in ["../../elsewhere", "/tmp/elsewhere", "a//b"] {
+        desk.dejag(&format!("check --environment {key}")).ended(2, &["--environment", "is no id"]);
+    }
     desk.write("dejag.toml", "[[files]]\nid = 'shots'\n");
     desk.dejag("check").ended(2, &["dejag.toml:1:1", "need either `file` or `folder`"]);
     desk.write("dejag.toml", "");

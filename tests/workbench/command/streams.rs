@@ -67,7 +67,7 @@ fn json_on_stdout_is_only_json_with_the_documented_keys() {
     has_keys(&json["stamp"], &["dejag", "adapter", "kind", "driver", "driver_version", "backend"]);
     assert_eq!(json["stamp"]["dejag"], env!("CARGO_PKG_VERSION"));
     let [edges, fence] = &json["scenes"].as_array().expect("scenes")[..] else { panic!("two scenes: {ran}") };
-    has_keys(edges, &["name", "about", "frame", "reference", "methods"]);
+    has_keys(edges, &["name", "about", "frame", "reference", "methods", "timing"]);
     has_keys(&edges["reference"], &["spec", "noise_floor", "analytic", "timing"]);
     has_keys(&fence["reference"], &["spec", "noise_floor", "timing"]);
     has_keys(&edges["reference"]["timing"], &["seconds", "cached"]);
