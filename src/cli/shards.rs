@@ -54,6 +54,7 @@ impl ShardOptions {
 }
 
 /// Whether an id is run in this part.
+#[cfg(feature = "workbench")]
 pub(super) fn is_own(shard: Option<&ShardStamp>, id: &str) -> bool {
     shard.is_none_or(|shard| shard.own.iter().any(|own| own == id))
 }
