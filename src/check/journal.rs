@@ -14,7 +14,7 @@ use super::slot::{Slot, hash_of};
 use crate::{Error, Result};
 
 /// Its name in the output folder.
-const FILE: &str = "drawn.jsonl";
+pub(super) const FILE: &str = "drawn.jsonl";
 
 /// The journal of an output folder.
 #[derive(Debug)]

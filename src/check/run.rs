@@ -10,7 +10,7 @@ use super::Manifest;
 use super::causes::likely_causes;
 use super::entry::{Entry, Subject, slashed};
 use super::environment::{ANY, chain};
-use super::journal::Journal;
+use super::journal::{self, Journal};
 use super::slot::{CANDIDATES, DIFFERENCES, Slot, beside, copy, hash_of, is_absence, is_candidate};
 use crate::compare::{Filter, Scope, Settings, Targets, guarded, list_one, wave_length};
 use crate::error::Blame;
@@ -127,7 +127,7 @@ impl Run<'_> {
         let root = self.manifest.root.join(path);
         let (mut found, mut failures) = list_one(&root, filter);
         let ours = self.own_folders_below(&root);
-        found.retain(|below| !ours.iter().any(|ours| below.starts_with(ours)) && !lies_in_report(&root, below));
+        found.retain(|below| !ours.iter().any(|ours| below.starts_with(ours)) && !is_put_out(&root, below));
         let mut slots: Vec<(Slot, Option<PathBuf>)> =
             found.into_iter().map(|below| (Slot::in_folder(&entry.id, &below), Some(root.join(below)))).collect();
         for environment in chain(self.key(entry), &self.manifest.fallback) {
@@ -162,15 +162,13 @@ impl Run<'_> {
         Ok(cases)
     }
 
-    /// What lies below a folder of pictures and is none of its pictures: goldens, and what this run and others put out.
+    /// Goldens and the manifest's output folder, if they lie below a folder of pictures, whose pictures they are not.
     fn own_folders_below(&self, root: &Path) -> Vec<PathBuf> {
         let Ok(root) = fs::canonicalize(root) else { return Vec::new() };
         let below = |folder: &Path| Some(fs::canonicalize(folder).ok()?.strip_prefix(&root).ok()?.to_path_buf());
-        let (goldens, output) = (self.manifest.root.join(&self.manifest.goldens), self.manifest.root.join(&self.manifest.output));
-        let whole = [&goldens, &output].into_iter().filter_map(|folder| below(folder)).filter(|below| below != Path::new(""));
+        let own = [&self.manifest.goldens, &self.manifest.output].map(|folder| below(&self.manifest.root.join(folder)));
         // Pictures may lie in the output folder itself.
-        let parts = [output.as_path(), self.output].into_iter().filter_map(below);
-        whole.chain(parts.flat_map(|output| [CANDIDATES, DIFFERENCES].map(|part| output.join(part)))).collect()
+        own.into_iter().flatten().filter(|below| below != Path::new("")).collect()
     }
 
     /// A picture that something else made: taken over, then held against its golden.
@@ -262,7 +260,7 @@ impl Run<'_> {
             Err(error) => format!("the candidate is {} ({error})", slashed(&slot.candidate())),
         };
         let mut pair = DiffPair::of_sides(None, None, DiffOutcome::New)
-            .ended(DiffOutcome::New, format!("there is no golden {}; {place}; if it is right: dejag bless", slashed(&blessed)));
+            .ended(DiffOutcome::New, format!("there is no golden {}; {place}", slashed(&blessed)));
         pair.actual = Some(slashed(&slot.candidate()));
         CheckedCase { candidate_hash: hash_of(candidate).ok(), ..self.case(entry, slot, pair) }
     }
@@ -307,7 +305,12 @@ fn named_after(source: &Path, slot: &Slot, mut case: CheckedCase) -> CheckedCase
     case
 }
 
-/// Whether a picture is one of a report's.
-fn lies_in_report(root: &Path, below: &Path) -> bool {
-    below.ancestors().skip(1).any(|folder| root.join(folder).join("dejag-report.txt").is_file())
+/// Whether a picture is one that a run put out: in a report, or among the candidates and differences beside a journal.
+fn is_put_out(root: &Path, below: &Path) -> bool {
+    below.ancestors().skip(1).any(|folder| {
+        let named = |name: &str| folder.file_name().is_some_and(|own| own == name);
+        let folder = root.join(folder);
+        folder.join("dejag-report.txt").is_file()
+            || (named(CANDIDATES) || named(DIFFERENCES)) && folder.with_file_name(journal::FILE).is_file()
+    })
 }
