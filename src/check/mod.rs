@@ -4,10 +4,12 @@
 mod bless;
 mod candidate;
 mod causes;
+mod document;
 mod entry;
 mod environment;
 mod gather;
 mod journal;
+mod judge;
 mod learn;
 mod manifest;
 mod run;

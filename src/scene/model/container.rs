@@ -60,8 +60,11 @@ fn u32_at(bytes: &[u8], offset: usize) -> Option<u32> {
 
 /// The JSON as glTF's structures, once it has been seen that nothing is required of us that we lack.
 pub(super) fn parse(path: &Path, bytes: &[u8], warnings: &mut Vec<String>) -> Result<json::Root> {
-    let root: json::Root = json::deserialize::from_slice(bytes).map_err(|error| {
-        if error.is_data() { path.failure(format!("it is not glTF 2.0: {error}")) } else { bad_bytes(path, error.to_string()) }
+    let root: json::Root = json::deserialize::from_slice(bytes).map_err(|error| match error.to_string() {
+        text if error.is_data() => path.failure(format!("it is not glTF 2.0: {text}")),
+        // Good JSON, but more than the reader's 32 bits hold.
+        text if text.starts_with("number out of range") => path.failure(format!("a number is not finite: {text}")),
+        text => bad_bytes(path, text),
     })?;
     let version = &root.asset.version;
     if version.split('.').next() != Some("2") {
