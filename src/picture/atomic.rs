@@ -87,27 +87,21 @@ fn fill(file: &File, write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>
     buffered.flush()
 }
 
+/// What a temporary file's name takes over from its target's at most, in bytes: names end at 255.
+const LONGEST_PREFIX: usize = 200;
+
 /// A temporary file in the target's folder, since a rename is atomic only within one file system.
 fn temporary_beside(target: &Path) -> io::Result<NamedTempFile> {
     let name = target.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"))?;
     let mut prefix = std::ffi::OsString::from(".");
-    prefix.push(name);
-    prefix.push(".");
-    let mut builder = Builder::new();
-    builder.prefix(&prefix).suffix(".part");
-    allow_what_umask_allows(&mut builder);
-    builder.tempfile_in(folder_of(target))
+    if name.len() <= LONGEST_PREFIX {
+        prefix.push(name);
+        prefix.push(".");
+    }
+    // Opened by us: the file has the rights of any other new one, and an error does not name what has another name each time.
+    let create = |path: &Path| File::options().write(true).create_new(true).open(path);
+    Builder::new().prefix(&prefix).suffix(".part").make_in(folder_of(target), create)
 }
-
-/// Temporary files are private by default; an output should have the rights of any other new file.
-#[cfg(unix)]
-fn allow_what_umask_allows(builder: &mut Builder<'_, '_>) {
-    use std::os::unix::fs::PermissionsExt;
-    builder.permissions(fs::Permissions::from_mode(0o666));
-}
-
-#[cfg(not(unix))]
-fn allow_what_umask_allows(_builder: &mut Builder<'_, '_>) {}
 
 fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
@@ -135,6 +129,17 @@ mod tests {
         write_bytes_atomically(&path, b"second").expect("written");
         assert_eq!(fs::read(&path).expect("readable"), b"second");
         assert_eq!(names(folder.path()), ["out.txt"]);
+    }
+
+    #[test]
+    fn a_name_may_be_as_long_as_the_system_allows() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for length in [LONGEST_PREFIX, LONGEST_PREFIX + 1, 255] {
+            let path = folder.path().join("n".repeat(length));
+            write_bytes_atomically(&path, b"new").expect("written");
+            assert_eq!(fs::read(&path).expect("readable"), b"new");
+        }
+        assert_eq!(names(folder.path()).len(), 3);
     }
 
     #[test]

@@ -61,13 +61,35 @@ impl Desk {
 
     /// The command, about to be run here.
     pub(super) fn command(&self) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_dejag"));
+        self.furnished(Command::new(env!("CARGO_BIN_EXE_dejag")))
+    }
+
+    fn furnished(&self, mut command: Command) -> Command {
         command.current_dir(self.0.path()).stdin(Stdio::null());
         // Whatever runs the tests, it is not the user.
         for name in ["NO_COLOR", "GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY"] {
             command.env_remove(name);
         }
         command
+    }
+
+    /// Sets what may be done with a file or a folder, as `chmod` does.
+    #[cfg(unix)]
+    pub(super) fn permit(&self, name: &str, mode: u32) {
+        use std::os::unix::fs::PermissionsExt as _;
+        fs::set_permissions(self.path(name), fs::Permissions::from_mode(mode)).expect("set");
+    }
+
+    /// `dejag` with the words of a line as arguments for somebody who is bound by permissions, as root is not until it gives that up.
+    #[cfg(target_os = "linux")]
+    pub(super) fn bound(&self, line: &str) -> Ran {
+        use std::os::unix::fs::MetadataExt as _;
+        if fs::metadata(self.path("")).expect("there").uid() != 0 {
+            return self.dejag(line);
+        }
+        let mut command = Command::new("setpriv");
+        command.args(["--bounding-set=-dac_override,-dac_read_search", env!("CARGO_BIN_EXE_dejag")]);
+        Ran::of(self.furnished(command).args(line.split_whitespace()))
     }
 
     /// `dejag` with the words of a line as arguments.

@@ -157,16 +157,30 @@ fn what_came_into_the_golden_s_place_is_not_replaced() {
     assert!(fs::symlink_metadata(desk.path("goldens/any/shots/b.png")).expect("there").is_symlink());
 }
 
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 #[test]
 fn without_permission() {
-    use std::os::unix::fs::PermissionsExt as _;
     let desk = desk();
     desk.put("shots/locked.png", &other());
-    fs::set_permissions(desk.path("shots/locked.png"), fs::Permissions::from_mode(0o000)).expect("set");
-    if fs::File::open(desk.path("shots/locked.png")).is_ok() {
-        // Whoever may read everything meets no lock.
-        return;
-    }
-    desk.dejag("check").ended(3, &["locked.png", "check the permissions"]);
+    desk.permit("shots/locked.png", 0o000);
+    desk.bound("check").ended(3, &["1 same, 1 unreadable", "locked.png", "check the permissions"]);
+    desk.permit("shots/locked.png", 0o644);
+    desk.put("shots/a.png", &other());
+    // The golden may not be read.
+    desk.permit("goldens/any/shots/a.png", 0o000);
+    desk.bound("check shots/a.png").ended(3, &["unreadable", "goldens/any/shots/a.png", "check the permissions"]);
+    desk.permit("goldens/any/shots/a.png", 0o644);
+    // Goldens that are for reading only are enough to check; their places are not enough to bless.
+    desk.permit("goldens/any/shots", 0o555);
+    let found = desk.bound("check");
+    found.ended(1, &["1 different, 1 new", "could not write goldens/any/shots/locked.candidate.png: Permission denied"]);
+    assert_eq!(desk.bound("check").stdout, found.stdout);
+    desk.bound("bless shots/a.png").ended(3, &["check the permissions"]);
+    desk.permit("goldens/any/shots", 0o755);
+    desk.bound("check").ended(1, &["1 different, 1 new"]);
+    desk.bound("bless").ended(0, &["shots/a.png", "shots/locked.png"]);
+    // Nowhere to put candidates.
+    desk.permit("dejag-check", 0o555);
+    desk.bound("check").ended(3, &["dejag-check", "check the permissions"]);
+    desk.permit("dejag-check", 0o755);
 }

@@ -193,6 +193,11 @@ impl Running {
         self.since = Instant::now();
     }
 
+    /// Kills it, if it still runs.
+    pub(super) fn kill(&mut self) {
+        self.child.kill().expect("a child of ours");
+    }
+
     pub(super) fn end(mut self) -> Ran {
         let status = loop {
             if let Some(status) = self.child.try_wait().expect("a child of ours") {

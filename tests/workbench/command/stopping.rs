@@ -131,3 +131,31 @@ fn after_a_kill_the_next_run_works() {
     fs::write(desk.cache().join(".0123.reference.aBcDeF.part"), "dejag reference 1\n{").expect("writable");
     all_is_well(&desk);
 }
+
+/// Half of them while entries are written, half while they are read.
+#[test]
+fn killed_at_fifty_moments_the_cache_is_whole_and_a_rerun_succeeds() {
+    let desk = Desk::new();
+    let line = format!("score edges wires checker text -m none {SMALL} --json out.json --report report");
+    let whole = [(); 2].map(|()| desk.run(&line).succeeded().took);
+    let mut hits = 0;
+    for k in 0..50 {
+        if k % 2 == 0 {
+            desk.references().iter().for_each(|path| fs::remove_file(path).expect("removed"));
+        }
+        let mut running = desk.start(desk.command(&line));
+        sleep(whole[k as usize % 2].mul_f64(f64::from(k) / 50.0));
+        running.kill();
+        hits += usize::from(running.end().code.is_none());
+        for path in desk.references() {
+            let bytes = fs::read(&path).expect("there");
+            let (content, hash) = bytes.split_at(bytes.len().saturating_sub(32));
+            assert_eq!(blake3::hash(content).as_bytes(), hash, "{} is not whole after kill {k}", path.display());
+        }
+        let results: serde_json::Value = serde_json::from_slice(&desk.read("out.json")).expect("whole JSON");
+        assert_eq!(results["scenes"].as_array().map(Vec::len), Some(4), "after kill {k}");
+        assert!(desk.path("report/index.html").is_file() || !desk.path("report").exists(), "half a report after kill {k}");
+    }
+    assert!(hits >= 20, "only {hits} of 50 were killed in time");
+    desk.run(&line).succeeded();
+}
