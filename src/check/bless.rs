@@ -66,15 +66,13 @@ impl Bless<'_> {
         for name in named {
             // A name may look like a pattern: of a file with brackets in its name.
             let exact = cases.iter().any(|case| case.id == *name);
-            let glob = glob(name).map_err(Error::Request);
-            let glob = if exact { None } else { Some(glob?) };
+            let glob = if exact { None } else { Some(glob(name).map_err(Error::Request)?) };
             let is_it = |case: &CheckedCase| glob.as_ref().map_or(case.id == *name, |glob| is_named(glob, &case.id));
-            let before = chosen.iter().filter(|chosen| **chosen).count();
-            chosen.iter_mut().zip(cases).for_each(|(chosen, case)| *chosen |= is_it(case));
-            if before == chosen.iter().filter(|chosen| **chosen).count() && !cases.iter().any(is_it) {
+            if !cases.iter().any(is_it) {
                 let known: Vec<&str> = cases.iter().map(|case| case.id.as_str()).collect();
                 return Err(crate::error::unknown("case", name, &known));
             }
+            chosen.iter_mut().zip(cases).for_each(|(chosen, case)| *chosen |= is_it(case));
         }
         Ok(cases.iter().zip(chosen).filter(|(_, chosen)| *chosen).map(|(case, _)| case).collect())
     }

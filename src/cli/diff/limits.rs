@@ -3,7 +3,8 @@
 use clap::Args;
 use std::path::PathBuf;
 
-use crate::compare::{Allowance, Limits, Measure, MetricLimit, Rectangle, Scope, Settings, parse_difference, parse_limit};
+use crate::check::Tolerance;
+use crate::compare::{Allowance, Rectangle, Scope, Settings, parse_difference, parse_limit};
 use crate::error::Result;
 use crate::picture::Raster;
 
@@ -52,7 +53,7 @@ impl LimitOptions {
     pub(super) fn settings(&self, max_bytes: u64, watch: fn() -> Result<()>) -> Result<Settings> {
         let mask = self.mask.as_ref().map(|path| Raster::read(path, max_bytes)).transpose()?;
         Ok(Settings {
-            limits: self.limits(),
+            limits: self.tolerance().limits(),
             scope: Scope::new(mask, self.ignore.clone()),
             ignore_profile: self.ignore_profile,
             sweep: self.sweep,
@@ -61,19 +62,17 @@ impl LimitOptions {
         })
     }
 
-    fn limits(&self) -> Limits {
-        let metrics = [
-            (Measure::Rmse, self.max_rmse),
-            (Measure::Psnr, self.min_psnr),
-            (Measure::Ssim, self.min_ssim),
-            (Measure::Flip, self.max_flip),
-        ];
-        let given = metrics.into_iter().filter_map(|(measure, limit)| Some(MetricLimit { measure, limit: limit? }));
-        Limits {
+    /// What a manifest would say.
+    fn tolerance(&self) -> Tolerance {
+        Tolerance {
             max_pixels: self.max_pixels,
             per_channel: self.per_channel,
-            metrics: given.collect(),
-            allow_edges: self.allow_edges,
+            max_rmse: self.max_rmse,
+            min_psnr: self.min_psnr,
+            min_ssim: self.min_ssim,
+            max_flip: self.max_flip,
+            allow_edges: Some(self.allow_edges),
+            ignore_profile: Some(self.ignore_profile),
         }
     }
 }
